@@ -1,0 +1,40 @@
+# Every library the program uses, all from Debian 12. ITK is found in core/, the only layer that may see it.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nanoflann REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(assimp REQUIRED)
+find_package(glfw3 3.3 REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+
+# These ship neither a CMake package nor a module: imported targets by hand.
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+find_library(XXHASH_LIBRARY xxhash REQUIRED)
+add_library(xxhash::xxhash UNKNOWN IMPORTED)
+set_target_properties(xxhash::xxhash PROPERTIES IMPORTED_LOCATION ${XXHASH_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
+
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+find_library(STB_LIBRARY stb REQUIRED)
+add_library(stb::stb UNKNOWN IMPORTED)
+set_target_properties(stb::stb PROPERTIES IMPORTED_LOCATION ${STB_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${STB_INCLUDE_DIR})
+
+find_path(QHULL_INCLUDE_DIR libqhull_r/libqhull_r.h REQUIRED)
+find_library(QHULL_LIBRARY qhull_r REQUIRED)
+add_library(qhull::qhull UNKNOWN IMPORTED)
+set_target_properties(qhull::qhull PROPERTIES IMPORTED_LOCATION ${QHULL_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${QHULL_INCLUDE_DIR})
+
+find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
+find_library(IMGUI_LIBRARY imgui REQUIRED)
+add_library(imgui::imgui STATIC IMPORTED)
+set_target_properties(imgui::imgui PROPERTIES IMPORTED_LOCATION ${IMGUI_LIBRARY})
+target_include_directories(imgui::imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
+target_link_libraries(imgui::imgui INTERFACE stb::stb Freetype::Freetype glfw ${CMAKE_DL_LIBS})

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace sonoskin {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Mesh: a triangle surface. World mm, LPS; triangles counter-clockwise seen from outside, normals outward
+// (toward the probe's side, the fluid).
+//   normals      unit; as many as positions, or empty
+//   visibility   0 (the probe cannot have seen it) to 1; as many as positions, or empty where it is unknown
+//   triangles    indices into positions
+struct Mesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<float> visibility;
+  std::vector<Triangle> triangles;
+
+  bool empty() const { return triangles.empty(); }
+};
+
+struct Box {
+  glm::vec3 min{0}, max{0};
+  glm::vec3 centre() const { return 0.5f * (min + max); }
+  float diagonal() const { return glm::length(max - min); }
+};
+
+// boundingBox: the smallest axis-aligned box around the positions; all zero without any.
+Box boundingBox(const std::vector<glm::vec3>& positions);
+
+// surfaceArea: mm^2.
+double surfaceArea(const Mesh& mesh);
+
+// computeNormals: fills mesh.normals by the area-weighted mean of the adjacent triangles' normals.
+void computeNormals(Mesh& mesh);
+
+}  // namespace sonoskin

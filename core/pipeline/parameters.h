@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/classification/classification_options.h"
+#include "core/mesh/mesh_options.h"
+#include "core/phantom/phantom_options.h"
+#include "core/rbf/reconstruction_options.h"
+#include "core/surface/surface_options.h"
+#include "core/volume/scan_options.h"
+
+namespace sonoskin {
+
+// Parameters: everything that a recipe holds.
+struct Parameters {
+  PhantomOptions phantom;
+  ScanOptions scan;
+  ClassificationOptions classification;
+  SurfaceOptions surface;
+  ReconstructionOptions reconstruction;
+  MeshOptions mesh;
+};
+
+// Group: the heading of one algorithm's parameters.
+struct Group {
+  std::string_view name;
+  std::string_view help;
+};
+
+// groups: calls f(Group, options) for every group, in the order of the pipeline.
+template <class F, class P>
+  requires OptionsOf<P, Parameters>
+void groups(F&& f, P& p) {
+  f(Group{"phantom", "the simulated scan"}, p.phantom);
+  f(Group{"scan", "how the volume was recorded"}, p.scan);
+  f(Group{"classification", "finding surfaces in the noise"}, p.classification);
+  f(Group{"surface", "from surfaces to points"}, p.surface);
+  f(Group{"reconstruction", "fitting a smooth surface to the points"}, p.reconstruction);
+  f(Group{"mesh", "the triangles"}, p.mesh);
+}
+
+// forEachField: calls f(Group, Field, member&, Range...) for every parameter.
+template <class F, class P>
+  requires OptionsOf<P, Parameters>
+void forEachField(F&& f, P& p) {
+  groups([&](const Group& group, auto& options) {
+    fields([&](const Field& field, auto& member, auto... range) { f(group, field, member, range...); }, options);
+  }, p);
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+#include "core/pipeline/parameters.h"
+#include "core/surface/surface_points.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// StageReport: what one stage of a run cost. `seconds` and `bytes` are 0 where an earlier result was used again.
+struct StageReport {
+  std::string name;
+  double seconds = 0;
+  std::size_t bytes = 0;  // of the stage's result
+};
+
+// Goal: how far a run goes.
+enum class Goal { classified, points, mesh };
+
+// Results: what a run has made so far; later members are empty until their stage has run.
+struct Results {
+  double isoValue = 0;                                     // the iso-value used: given, or found from the volume
+  std::shared_ptr<const Volume<float>> classified;         // u in [0, 1]
+  std::shared_ptr<const Volume<std::uint8_t>> thinned;     // u as 1..255 on surface voxels, 0 elsewhere
+  std::shared_ptr<const SurfacePoints> points;
+  std::size_t centres = 0;                                 // of the fitted function
+  std::shared_ptr<const std::vector<Mesh>> pieces;         // all pieces of the surface, largest area first
+  std::shared_ptr<const Mesh> mesh;                        // the chosen piece
+  std::vector<StageReport> stages;
+};
+
+// Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier results
+// so that a change of a parameter repeats only what depends on it. One thread at a time.
+class Pipeline {
+ public:
+  Pipeline();
+  ~Pipeline();
+  // run: brings everything up to `goal`.
+  //   stageBegins  called with a word for people ("classification") as each stage starts
+  //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before then.
+  using StageBegins = std::function<void(const std::string& name)>;
+  Results run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress = {},
+              const StageBegins& stageBegins = {});
+  // preview: classification alone on a volume of half the resolution; the geometry of the result tells.
+  Results preview(const Scan& scan, const Parameters& parameters, const Progress& progress = {});
+
+ private:
+  struct Stages;
+  std::unique_ptr<Stages> stages_;
+};
+
+}  // namespace sonoskin
