@@ -13,9 +13,10 @@ namespace sonoskin {
 //   void fields(F&& f, O& o) {
 //     f(Field{"alpha", "weight of the iso-value term", "", "α"}, o.alpha, Range{0.0, 1.0});
 //
-// A visitor f is called once per member with (Field, member&, Range); for bool, enum and text members without a
-// Range. Members are int, double, bool, std::string, std::array<int or double, 3>, or an enum with enumNames().
-// From that one list come sliders, command-line options, the recipe, the cache key and the documentation.
+// A visitor f is called once per member with (Field, member&, Range); for bool, enum and text members without
+// a Range. Members are int, double, bool, std::string, std::array<int or double, 3>, or an enum with
+// enumNames(). From that one list come sliders, command-line options, the recipe, the cache key and the
+// documentation.
 
 // Field: what a person sees of one parameter. The name is the key in recipes and on the command line.
 struct Field {
@@ -42,6 +43,8 @@ concept OptionsOf = std::same_as<std::remove_const_t<O>, Options>;
 
 // NamedEnum: an enum with `constexpr auto enumNames(E)` that gives the names of its values 0, 1, 2, ...
 template <class E>
-concept NamedEnum = std::is_enum_v<E> && requires(E e) { enumNames(e); };
+concept NamedEnum = std::is_enum_v<E> && requires(E e) {
+  enumNames(e);
+};
 
 }  // namespace sonoskin

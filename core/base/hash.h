@@ -26,8 +26,7 @@ class Hasher {
   Hasher& add(const Key& key);
   Hasher& addBytes(const void* data, std::size_t bytes);
   template <class T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  Hasher& add(T value) {
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T> Hasher& add(T value) {
     return addBytes(&value, sizeof value);
   }
   template <class T>

@@ -7,7 +7,8 @@
 
 namespace sonoskin {
 
-// The number of threads that parallel loops use, on whichever thread they start. 0 restores the machine's own.
+// The number of threads that parallel loops use, on whichever thread they start. 0 restores the machine's
+// own.
 void setThreadCount(int count);
 int threadCount();
 

@@ -23,7 +23,7 @@ struct ClassificationOptions {
 };
 
 template <class F, class O>
-  requires OptionsOf<O, ClassificationOptions>
+requires OptionsOf<O, ClassificationOptions>
 void fields(F&& f, O& o) {
   f(Field{"alpha", "how strongly values away from the iso-value are set to zero", "", "alpha"}, o.alpha,
     Range{0.01, 4.0, true});
@@ -31,8 +31,8 @@ void fields(F&& f, O& o) {
     Range{0.0, 4.0});
   f(Field{"gamma", "how strongly edges are pulled up to the target value", "", "gamma"}, o.gamma,
     Range{0.01, 4.0, true});
-  f(Field{"isoValue", "grey value at the border of the skin; 0 finds one from the volume", "", "v_iso"}, o.isoValue,
-    Range{0.0, 1.0});
+  f(Field{"isoValue", "grey value at the border of the skin; 0 finds one from the volume", "", "v_iso"},
+    o.isoValue, Range{0.0, 1.0});
   f(Field{"rawShare", "share of the raw volume, against the low-passed one, in the iso-value term", "", "w"},
     o.rawShare, Range{0.0, 1.0});
   f(Field{"gradientFloor", "pull toward the target where there is no gradient", "", "delta"}, o.gradientFloor,

@@ -8,7 +8,9 @@ namespace sonoskin {
 
 // PieceChoice: which connected piece of the reconstructed surface is the result.
 enum class PieceChoice { probe, largest, index, point, all };
-constexpr std::array<const char*, 5> enumNames(PieceChoice) { return {"probe", "largest", "index", "point", "all"}; }
+constexpr std::array<const char*, 5> enumNames(PieceChoice) {
+  return {"probe", "largest", "index", "point", "all"};
+}
 
 // MeshOptions: from the implicit function to the mesh.
 struct MeshOptions {
@@ -21,17 +23,19 @@ struct MeshOptions {
 };
 
 template <class F, class O>
-  requires OptionsOf<O, MeshOptions>
+requires OptionsOf<O, MeshOptions>
 void fields(F&& f, O& o) {
-  f(Field{"resolution", "cells along the longest side of the surface", "cells"}, o.resolution, Range{16, 2000});
+  f(Field{"resolution", "cells along the longest side of the surface", "cells"}, o.resolution,
+    Range{16, 2000});
   f(Field{"support", "overlap of supports below which the surface is cut off", "", "tau"}, o.support,
     Range{0.0, 4.0});
   f(Field{"maxGap", "distance from the points beyond which the surface is cut off, in spacings of the points",
           "spacings"},
     o.maxGap, Range{1.0, 100.0});
-  f(Field{"piece", "probe: the piece most in the probe's view; largest: by area; index, point: see below"}, o.piece);
-  f(Field{"pieceIndex", "for piece = index: 0 is the piece with the largest area, 1 the next, ..."}, o.pieceIndex,
-    Range{0, 1000000});
+  f(Field{"piece", "probe: the piece most in the probe's view; largest: by area; index, point: see below"},
+    o.piece);
+  f(Field{"pieceIndex", "for piece = index: 0 is the piece with the largest area, 1 the next, ..."},
+    o.pieceIndex, Range{0, 1000000});
   f(Field{"piecePoint", "for piece = point: the piece nearest to this point of the volume's frame", "mm"},
     o.piecePoint, Range{-1e5, 1e5});
 }

@@ -29,7 +29,7 @@ struct Group {
 
 // groups: calls f(Group, options) for every group, in the order of the pipeline.
 template <class F, class P>
-  requires OptionsOf<P, Parameters>
+requires OptionsOf<P, Parameters>
 void groups(F&& f, P& p) {
   f(Group{"phantom", "the simulated scan"}, p.phantom);
   f(Group{"scan", "how the volume was recorded"}, p.scan);
@@ -41,11 +41,14 @@ void groups(F&& f, P& p) {
 
 // forEachField: calls f(Group, Field, member&, Range...) for every parameter.
 template <class F, class P>
-  requires OptionsOf<P, Parameters>
+requires OptionsOf<P, Parameters>
 void forEachField(F&& f, P& p) {
-  groups([&](const Group& group, auto& options) {
-    fields([&](const Field& field, auto& member, auto... range) { f(group, field, member, range...); }, options);
-  }, p);
+  groups(
+      [&](const Group& group, auto& options) {
+        fields([&](const Field& field, auto& member, auto... range) { f(group, field, member, range...); },
+               options);
+      },
+      p);
 }
 
 }  // namespace sonoskin

@@ -13,7 +13,8 @@
 
 namespace sonoskin {
 
-// StageReport: what one stage of a run cost. `seconds` and `bytes` are 0 where an earlier result was used again.
+// StageReport: what one stage of a run cost. `seconds` and `bytes` are 0 where an earlier result was used
+// again.
 struct StageReport {
   std::string name;
   double seconds = 0;
@@ -25,25 +26,26 @@ enum class Goal { classified, points, mesh };
 
 // Results: what a run has made so far; later members are empty until their stage has run.
 struct Results {
-  double isoValue = 0;                                     // the iso-value used: given, or found from the volume
-  std::shared_ptr<const Volume<float>> classified;         // u in [0, 1]
-  std::shared_ptr<const Volume<std::uint8_t>> thinned;     // u as 1..255 on surface voxels, 0 elsewhere
+  double isoValue = 0;                                  // the iso-value used: given, or found from the volume
+  std::shared_ptr<const Volume<float>> classified;      // u in [0, 1]
+  std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
-  std::size_t centres = 0;                                 // of the fitted function
-  std::shared_ptr<const std::vector<Mesh>> pieces;         // all pieces of the surface, largest area first
-  std::shared_ptr<const Mesh> mesh;                        // the chosen piece
+  std::size_t centres = 0;                          // of the fitted function
+  std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
+  std::shared_ptr<const Mesh> mesh;                 // the chosen piece
   std::vector<StageReport> stages;
 };
 
-// Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier results
-// so that a change of a parameter repeats only what depends on it. One thread at a time.
+// Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier
+// results so that a change of a parameter repeats only what depends on it. One thread at a time.
 class Pipeline {
  public:
   Pipeline();
   ~Pipeline();
   // run: brings everything up to `goal`.
   //   stageBegins  called with a word for people ("classification") as each stage starts
-  //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before then.
+  //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before
+  //   then.
   using StageBegins = std::function<void(const std::string& name)>;
   Results run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress = {},
               const StageBegins& stageBegins = {});

@@ -23,11 +23,11 @@ class Runner {
   };
   struct Status {
     bool busy = false;
-    double fraction = 0;            // of the running request
-    std::string stage;              // what it is doing, in words
-    std::string error;              // sentence of the last failed request; empty after a success or a cancel
-    bool cancelled = false;         // the last request was cancelled by cancel()
-    std::uint64_t finished = 0;     // number of requests that ended well
+    double fraction = 0;         // of the running request
+    std::string stage;           // what it is doing, in words
+    std::string error;           // sentence of the last failed request; empty after a success or a cancel
+    bool cancelled = false;      // the last request was cancelled by cancel()
+    std::uint64_t finished = 0;  // number of requests that ended well
   };
 
   Runner();

@@ -4,7 +4,8 @@
 
 namespace sonoskin {
 
-// SurfaceOptions: from the classified volume to oriented points (non-maximum suppression, hysteresis, clusters).
+// SurfaceOptions: from the classified volume to oriented points (non-maximum suppression, hysteresis,
+// clusters).
 struct SurfaceOptions {
   double threshold = 0.10;
   double strongThreshold = 0.30;
@@ -15,12 +16,14 @@ struct SurfaceOptions {
 };
 
 template <class F, class O>
-  requires OptionsOf<O, SurfaceOptions>
+requires OptionsOf<O, SurfaceOptions>
 void fields(F&& f, O& o) {
-  f(Field{"threshold", "smallest classified value of a surface voxel", "", "lo"}, o.threshold, Range{0.01, 1.0});
+  f(Field{"threshold", "smallest classified value of a surface voxel", "", "lo"}, o.threshold,
+    Range{0.01, 1.0});
   f(Field{"strongThreshold", "classified value of a strong surface voxel", "", "hi"}, o.strongThreshold,
     Range{0.01, 1.0});
-  f(Field{"strongShare", "share of strong voxels that a piece needs to be kept"}, o.strongShare, Range{0.0, 1.0});
+  f(Field{"strongShare", "share of strong voxels that a piece needs to be kept"}, o.strongShare,
+    Range{0.0, 1.0});
   f(Field{"minClusterVoxels", "smaller pieces are dropped; 1 keeps all", "voxels"}, o.minClusterVoxels,
     Range{1, 1000000});
   f(Field{"facing", "cosine between beam and inward gradient that a surface needs; -1 keeps all"}, o.facing,

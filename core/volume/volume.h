@@ -30,7 +30,8 @@ struct Geometry {
   glm::dvec3 toWorldDirection(const glm::dvec3& alongAxesMm) const { return direction * alongAxesMm; }
   bool mirrors() const { return glm::determinant(direction) < 0; }
   double minSpacing() const { return glm::min(spacing.x, glm::min(spacing.y, spacing.z)); }
-  // axisScale: smallest spacing / spacing, per axis; turns voxel differences into differences per smallest spacing.
+  // axisScale: smallest spacing / spacing, per axis; turns voxel differences into differences per smallest
+  // spacing.
   glm::vec3 axisScale() const { return glm::vec3(minSpacing() / spacing); }
 };
 

@@ -1,0 +1,48 @@
+#include "core/volume/resample.h"
+
+#include "core/base/parallel.h"
+
+namespace sonoskin {
+namespace {
+
+// How many voxels of each axis make one: 2, or 1 where the axis is coarse or a single voxel.
+glm::ivec3 blockOf(const Geometry& geometry) {
+  glm::ivec3 block(1);
+  for (int axis = 0; axis < 3; ++axis)
+    if (geometry.dims[axis] > 3 && geometry.spacing[axis] < 1.5 * geometry.minSpacing()) block[axis] = 2;
+  return block;
+}
+
+Geometry coarser(const Geometry& fine, const glm::ivec3& block) {
+  Geometry coarse = fine;
+  coarse.dims = fine.dims / block;  // an odd last voxel is left out
+  coarse.spacing = fine.spacing * glm::dvec3(block);
+  coarse.origin = fine.toWorld(0.5 * glm::dvec3(block - 1));
+  return coarse;
+}
+
+}  // namespace
+
+Volume<float> halveResolution(const Volume<float>& volume, const Progress& progress) {
+  const glm::ivec3 block = blockOf(volume.geometry);
+  Volume<float> result(coarser(volume.geometry, block));
+  const glm::ivec3 dims = result.geometry.dims;
+  const float share = 1.0f / float(block.x * block.y * block.z);
+  parallelFor(
+      dims.z,
+      [&](std::ptrdiff_t k) {
+        for (int j = 0; j < dims.y; ++j) {
+          float* out = &result.at(0, j, int(k));
+          for (int dk = 0; dk < block.z; ++dk)
+            for (int dj = 0; dj < block.y; ++dj) {
+              const float* in = &volume.at(0, j * block.y + dj, int(k) * block.z + dk);
+              for (int i = 0; i < dims.x; ++i)
+                for (int di = 0; di < block.x; ++di) out[i] += share * in[i * block.x + di];
+            }
+        }
+      },
+      progress);
+  return result;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/volume/volume.h"
+
+namespace sonoskin {
+
+// halveResolution: each voxel is the mean of up to 2x2x2; axes whose spacing is already 1.5 times the
+// smallest are kept, so that voxels become rounder. The world frame stays.
+//   errors   Cancelled
+Volume<float> halveResolution(const Volume<float>& volume, const Progress& progress = {});
+
+}  // namespace sonoskin
