@@ -27,11 +27,17 @@ class Progress {
     p.to_ = from_ + (to_ - from_) * to;
     return p;
   }
+  // cancelOnly: can be cancelled as this one, but reports nothing; for the inner loops of an iteration.
+  Progress cancelOnly() const {
+    Progress p = *this;
+    p.silent_ = true;
+    return p;
+  }
   // update: reports `fraction` of this slice; throws Cancelled when asked to stop.
   void update(double fraction) const {
     if (!sink_) return;
     throwIfCancelled();
-    if (sink_->report) sink_->report(from_ + (to_ - from_) * fraction);
+    if (sink_->report && !silent_) sink_->report(from_ + (to_ - from_) * fraction);
   }
   bool cancelled() const { return sink_ && sink_->cancel.load(std::memory_order_relaxed); }
   void throwIfCancelled() const;  // may be called from any thread
@@ -39,6 +45,7 @@ class Progress {
  private:
   ProgressSink* sink_ = nullptr;
   double from_ = 0, to_ = 1;
+  bool silent_ = false;
 };
 
 }  // namespace sonoskin

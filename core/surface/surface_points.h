@@ -3,6 +3,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/surface/thinning.h"
+
 namespace sonoskin {
 
 // SurfacePoints: an oriented point cloud on the skin. World mm, LPS.
@@ -16,5 +19,14 @@ struct SurfacePoints {
 
   std::size_t size() const { return positions.size(); }
 };
+
+// extractSurfacePoints: the world positions of surface voxels, with normals from the low-passed volume.
+//   normals    n = -grad v~ / |grad v~| at the refined position; points where the gradient is zero are left
+//   out errors     Cancelled
+SurfacePoints extractSurfacePoints(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed,
+                                   const Progress& progress = {});
+
+// thinnedVolume: u as 1..255 on the surface voxels and 0 elsewhere.
+Volume<std::uint8_t> thinnedVolume(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry);
 
 }  // namespace sonoskin

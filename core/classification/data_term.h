@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/classification/classification_options.h"
+#include "core/volume/volume.h"
+
+namespace sonoskin {
+
+// DataTerm: the part of the system that stands on the diagonal, one value per voxel.
+//   diagonal  c = alpha a + gamma h
+//   right     b = gamma h uind
+//   a = min((w (v - viso)^2 + (1 - w)(v~ - viso)^2 + nf^2) / (|grad v~|^2 + eps), 256)
+//       a squared distance to the iso-surface, in voxels; above 16 voxels all are equally far, which keeps
+//       the system well conditioned
+//   h = delta + (1 - delta) min(1, |grad v~| / gref)
+struct DataTerm {
+  std::vector<float> diagonal, right;
+};
+
+// dataTerm: see above.
+//   raw, lowPassed  v and v~, the same geometry
+//   options         isoValue must be set (0 does not mean automatic here)
+//   errors          Cancelled
+DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed,
+                  const ClassificationOptions& options, const Progress& progress = {});
+
+// absoluteBeta: the beta of the functional that smooths over the options' tangential length at a typical
+// edge: beta l^2 gamma h_ref, h_ref = h at |grad v~| = 0.06.
+double absoluteBeta(const ClassificationOptions& options);
+
+}  // namespace sonoskin

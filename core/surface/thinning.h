@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/surface_options.h"
+#include "core/volume/field_of_view.h"
+#include "core/volume/scan.h"
+#include "core/volume/volume.h"
+
+namespace sonoskin {
+
+// SurfaceVoxel: a voxel that is a maximum of the classified volume across the surface.
+struct SurfaceVoxel {
+  glm::ivec3 voxel;
+  glm::vec3 position;  // in voxel indices, refined to a fraction of a voxel
+  float value;         // u, > 0
+};
+
+// thin: non-maximum suppression of the classified volume u across the surface.
+//   direction   n = grad v~ of the low-passed volume, in millimetres: u is a ridge, whose own gradient flips
+//   keeps       u(x) > u(x - d) and u(x) >= u(x + d), or the other way round, u >= threshold; d = n as a step
+//   of
+//               at most one voxel along each axis; trilinear
+//   sub-voxel   parabola through the three values, at most half a step
+//   facing      keeps dark to bright along the beam: grad v~ . beam > facing |grad v~|
+//   border      keeps what is at least borderMargin smallest spacings inside the field of view
+//   output      in the order of the voxels
+//   errors      Cancelled
+std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<float>& lowPassed,
+                               const Beam& beam, const SurfaceOptions& options,
+                               const Progress& progress = {});
+
+}  // namespace sonoskin
