@@ -52,7 +52,7 @@ class Runner {
   std::optional<Results> results_;
   Status status_;
   ProgressSink sink_;
-  bool stop_ = false;
+  bool stop_ = false, running_ = false;
   std::thread worker_;
 };
 

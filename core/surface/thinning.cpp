@@ -13,9 +13,8 @@ namespace {
 struct Context {
   const Volume<float>& u;
   const Volume<float>& lowPassed;
-  Beam beam;
+  ScanFrame frame;
   SurfaceOptions options;
-  FieldOfView view;
   glm::vec3 axisScale;
   glm::vec3 spacing;
   float margin;  // mm
@@ -25,7 +24,7 @@ struct Context {
 bool facesProbe(const Context& c, const glm::ivec3& voxel, const glm::vec3& gradient) {
   if (c.options.facing <= -1) return true;
   const Geometry& g = c.u.geometry;
-  const glm::dvec3 beam = c.beam.directionAt(g.toWorld(glm::dvec3(voxel)));
+  const glm::dvec3 beam = c.frame.beam.directionAt(g.toWorld(glm::dvec3(voxel)));
   const float along = glm::dot(gradient, glm::vec3(glm::transpose(g.direction) * beam));
   return along > float(c.options.facing) * glm::length(gradient);
 }
@@ -43,7 +42,7 @@ void testVoxel(const Context& c, const glm::ivec3& voxel, std::vector<SurfaceVox
   const float before = sampleTrilinear(c.u, here - step), after = sampleTrilinear(c.u, here + step);
   if (!((centre > before && centre >= after) || (centre >= before && centre > after))) return;
   if (!facesProbe(c, voxel, gradient)) return;
-  if (c.view.depth(here * c.spacing) < c.margin) return;
+  if (c.frame.view.depth(here * c.spacing) < c.margin) return;
   const float curvature = before - 2 * centre + after;
   const float t = curvature < -1e-6f ? std::clamp(0.5f * (before - after) / curvature, -0.5f, 0.5f) : 0.0f;
   found.push_back({voxel, here + t * step, centre});
@@ -52,13 +51,13 @@ void testVoxel(const Context& c, const glm::ivec3& voxel, std::vector<SurfaceVox
 }  // namespace
 
 std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<float>& lowPassed,
-                               const Beam& beam, const SurfaceOptions& options, const Progress& progress) {
+                               const ScanFrame& frame, const SurfaceOptions& options,
+                               const Progress& progress) {
   const Geometry& g = classified.geometry;
   const Context context{classified,
                         lowPassed,
-                        beam,
+                        frame,
                         options,
-                        findFieldOfView(lowPassed, beam, progress.part(0, 0.4)),
                         g.axisScale(),
                         glm::vec3(g.spacing),
                         float(options.borderMargin * g.minSpacing())};
@@ -73,7 +72,7 @@ std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<flo
             if (row[i] >= float(options.threshold)) testVoxel(context, {i, j, k}, perSlice[std::size_t(k)]);
         }
       },
-      progress.part(0.4, 1));
+      progress);
   std::vector<SurfaceVoxel> all;
   for (const auto& slice : perSlice) all.insert(all.end(), slice.begin(), slice.end());
   return all;

@@ -18,6 +18,12 @@ struct SurfaceVoxel {
   float value;         // u, > 0
 };
 
+// ScanFrame: where the sound came from and how far the recording reaches.
+struct ScanFrame {
+  Beam beam;
+  FieldOfView view;
+};
+
 // thin: non-maximum suppression of the classified volume u across the surface.
 //   direction   n = grad v~ of the low-passed volume, in millimetres: u is a ridge, whose own gradient flips
 //   keeps       u(x) > u(x - d) and u(x) >= u(x + d), or the other way round, u >= threshold; d = n as a step
@@ -29,7 +35,7 @@ struct SurfaceVoxel {
 //   output      in the order of the voxels
 //   errors      Cancelled
 std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<float>& lowPassed,
-                               const Beam& beam, const SurfaceOptions& options,
+                               const ScanFrame& frame, const SurfaceOptions& options,
                                const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -63,7 +63,7 @@ FieldOfView findFieldOfView(const Volume<float>& volume, const Beam& beam, const
   const glm::vec3 axis(glm::transpose(volume.geometry.direction) * beam.axis);
   FieldOfView result;
   for (const glm::vec4& plane : hullPlanes(ends))
-    if (glm::dot(glm::vec3(plane), axis) > kFacesProbe) result.sides.push_back(plane);
+    (glm::dot(glm::vec3(plane), axis) > kFacesProbe ? result.sides : result.front).push_back(plane);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -7,25 +8,30 @@
 
 namespace sonoskin {
 
-// FieldOfView: the scanned region, as the planes that bound it away from the probe's own side.
-//   sides   plane normals, outward, in index space scaled to mm (index .* spacing); distance at w
+// FieldOfView: the scanned region as a convex polyhedron. Positions are voxel index .* spacing, mm.
+//   sides   planes that bound it beside and beyond the anatomy: outward unit normal, offset at w
+//   front   planes that look back at the probe: there the hull lies on the anatomy, not on a cut
 struct FieldOfView {
-  std::vector<glm::vec4> sides;
+  std::vector<glm::vec4> sides, front;
 
-  // depth: mm from the nearest side plane, positive inside.
-  //   position  voxel index .* spacing
-  float depth(const glm::vec3& position) const {
+  // depth: mm from the nearest side plane, positive inside; large where there are none.
+  float depth(const glm::vec3& position) const { return depthBehind(sides, position); }
+  bool contains(const glm::vec3& position) const {
+    return depthBehind(sides, position) >= 0 && depthBehind(front, position) >= 0;
+  }
+
+ private:
+  static float depthBehind(const std::vector<glm::vec4>& planes, const glm::vec3& position) {
     float least = 1e30f;
-    for (const glm::vec4& side : sides)
-      least = std::min(least, -(glm::dot(glm::vec3(side), position) + side.w));
+    for (const glm::vec4& p : planes) least = std::min(least, -(glm::dot(glm::vec3(p), position) + p.w));
     return least;
   }
 };
 
 // findFieldOfView: the convex hull of the voxels that are not zero, for scan converters put zeros outside the
-// sector. Sides that look back at the probe are left out: there the hull lies on the anatomy, not on a cut.
+// sector.
 //   method  quickhull (qhull) of the first and last non-zero voxel of every row
-//   output  no sides for a volume that is zero or flat
+//   output  no planes for a volume that is zero or flat
 //   errors  Cancelled
 FieldOfView findFieldOfView(const Volume<float>& volume, const Beam& beam, const Progress& progress = {});
 

@@ -1,0 +1,56 @@
+#include "core/classification/iso_value.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sonoskin {
+namespace {
+
+constexpr int kBins = 256;
+constexpr int kStride = 3;       // every third voxel along each axis is a sample large enough
+constexpr double kShare = 0.38;  // of the way from fluid to tissue
+
+using Histogram = std::array<double, kBins>;
+
+Histogram sampleHistogram(const Volume<float>& volume, const FieldOfView& view) {
+  const Geometry& g = volume.geometry;
+  Histogram histogram{};
+  for (int k = 0; k < g.dims.z; k += kStride)
+    for (int j = 0; j < g.dims.y; j += kStride)
+      for (int i = 0; i < g.dims.x; i += kStride)
+        if (view.contains(glm::vec3(i, j, k) * glm::vec3(g.spacing)))
+          ++histogram[std::size_t(std::clamp(int(volume.at(i, j, k) * kBins), 0, kBins - 1))];
+  return histogram;
+}
+
+// The means, in bins, of the two classes whose means differ most, weighted by their sizes.
+std::array<double, 2> otsuMeans(const Histogram& histogram) {
+  double count = 0, sum = 0;
+  for (int b = 0; b < kBins; ++b) {
+    count += histogram[std::size_t(b)];
+    sum += histogram[std::size_t(b)] * b;
+  }
+  std::array<double, 2> best{0, kBins - 1};
+  double bestSpread = -1, below = 0, belowSum = 0;
+  for (int b = 0; b < kBins - 1; ++b) {
+    below += histogram[std::size_t(b)];
+    belowSum += histogram[std::size_t(b)] * b;
+    const double above = count - below;
+    if (below <= 0 || above <= 0) continue;
+    const double low = belowSum / below, high = (sum - belowSum) / above;
+    const double spread = below * above * (high - low) * (high - low);
+    if (spread <= bestSpread) continue;
+    bestSpread = spread;
+    best = {low, high};
+  }
+  return best;
+}
+
+}  // namespace
+
+float proposeIsoValue(const Volume<float>& lowPassed, const FieldOfView& view) {
+  const auto [fluid, tissue] = otsuMeans(sampleHistogram(lowPassed, view));
+  return float(std::clamp((fluid + kShare * (tissue - fluid) + 0.5) / kBins, 0.02, 0.98));
+}
+
+}  // namespace sonoskin

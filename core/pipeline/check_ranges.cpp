@@ -1,0 +1,36 @@
+#include "core/pipeline/check_ranges.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace sonoskin {
+namespace {
+
+template <class T>
+void check(const Group& group, const Field& field, T value, const Range<T>& range) {
+  if (value >= range.min && value <= range.max) return;  // NaN fails both
+  throw Error(fmt::format("{}.{} is {}: it must lie between {} and {}", group.name, field.name, value,
+                          range.min, range.max),
+              Error::Kind::usage);
+}
+
+struct RangeVisitor {
+  template <class T>
+  void operator()(const Group& group, const Field& field, const T& value, const Range<T>& range) const {
+    check(group, field, value, range);
+  }
+  template <class T>
+  void operator()(const Group& group, const Field& field, const std::array<T, 3>& values,
+                  const Range<T>& range) const {
+    for (const T value : values) check(group, field, value, range);
+  }
+  template <class T>
+  void operator()(const Group&, const Field&, const T&) const {}  // flags and choices have no range
+};
+
+}  // namespace
+
+void checkRanges(const Parameters& parameters) { forEachField(RangeVisitor{}, parameters); }
+
+}  // namespace sonoskin

@@ -1,0 +1,185 @@
+#include "core/pipeline/pipeline.h"
+
+#include "core/base/error.h"
+#include "core/base/timer.h"
+#include "core/classification/classify.h"
+#include "core/classification/iso_value.h"
+#include "core/pipeline/check_ranges.h"
+#include "core/pipeline/parameter_key.h"
+#include "core/pipeline/stage.h"
+#include "core/surface/clusters.h"
+#include "core/volume/resample.h"
+
+namespace sonoskin {
+namespace {
+
+// Everything that classification needs of the volume itself.
+struct Prepared {
+  Smoothed smoothed;
+  FieldOfView view;
+  float proposedIso = 0;
+};
+
+struct Points {
+  std::shared_ptr<const Volume<std::uint8_t>> thinned;
+  std::shared_ptr<const SurfacePoints> points;
+};
+
+std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
+std::size_t bytesOf(const Volume<float>& v) { return v.data.size() * sizeof(float); }
+std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points->size() * 28; }
+Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress& progress) {
+  Prepared result;
+  result.smoothed = smooth(*scan.volume, parameters.classification, progress.part(0, 0.7));
+  result.view = findFieldOfView(*scan.volume, beamOf(scan, parameters.scan), progress.part(0.7, 1));
+  result.proposedIso = proposeIsoValue(result.smoothed.lowPassed, result.view);
+  return result;
+}
+
+Points findPoints(const Volume<float>& classified, const Prepared& prepared, const Beam& beam,
+                  const SurfaceOptions& options, const Progress& progress) {
+  const Volume<float>& lowPassed = prepared.smoothed.lowPassed;
+  std::vector<SurfaceVoxel> voxels =
+      thin(classified, lowPassed, {beam, prepared.view}, options, progress.part(0, 0.6));
+  progress.update(0.6);
+  voxels = dropWeakClusters(voxels, classified.geometry.dims, options);
+  progress.update(0.8);
+  return {
+      std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(voxels, classified.geometry)),
+      std::make_shared<const SurfacePoints>(extractSurfacePoints(voxels, lowPassed, progress.part(0.8, 1)))};
+}
+
+}  // namespace
+
+struct Pipeline::Stages {
+  Stage<Prepared> prepared{1};
+  Stage<Volume<float>> classified{3};
+  Stage<Points> points{3};
+  Stage<std::vector<Mesh>> pieces{3};
+  Stage<Mesh> mesh{3};
+  Stage<Prepared> coarse{1};
+  Stage<Volume<float>> half{1};
+};
+
+namespace {
+
+// One run: hands each stage its slice of the progress and notes what it cost.
+class Run {
+ public:
+  Run(const Progress& progress, const Pipeline::StageBegins& stageBegins, Results& results)
+      : progress_(progress), stageBegins_(stageBegins), results_(results) {}
+
+  // stage: the remembered result for `key`, or a new one; the progress then stands at `until`.
+  template <class T, class Compute>
+  std::shared_ptr<const T> stage(const char* name, double until, Stage<T>& memory, const Key& key,
+                                 const Compute& compute) {
+    const Progress part = progress_.part(at_, until);
+    at_ = until;
+    progress_.throwIfCancelled();
+    if (auto known = memory.find(key)) {
+      results_.stages.push_back({name, 0, 0});
+      return known;
+    }
+    if (stageBegins_) stageBegins_(name);
+    const Timer timer;
+    auto made = memory.remember(key, compute(part));
+    results_.stages.push_back({name, timer.seconds(), bytesOf(*made)});
+    return made;
+  }
+
+ private:
+  Progress progress_;
+  const Pipeline::StageBegins& stageBegins_;
+  Results& results_;
+  double at_ = 0;
+};
+
+
+// coarserOptions: the same filter for voxels that are `factor` times as large: lengths shrink, gradients grow.
+ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
+  o.lowPass /= factor;
+  o.tangentialLength /= factor;
+  o.gradientReference *= factor;
+  o.directionScale *= factor;
+  o.alpha *= factor * factor;  // the iso-value term is a squared distance
+  return o;
+}
+
+Key preparedKey(const Scan& scan, const Parameters& p) {
+  Hasher hasher("prepare 1");
+  hasher.add(scan.key).add(p.classification.lowPass).add(p.classification.directionScale);
+  addOptions(hasher, p.scan);
+  return hasher.key();
+}
+
+template <class Options>
+Key keyOf(const char* stage, const Key& input, const Options& options) {
+  Hasher hasher(stage);
+  hasher.add(input);
+  addOptions(hasher, options);
+  return hasher.key();
+}
+
+}  // namespace
+
+Pipeline::Pipeline() : stages_(std::make_unique<Stages>()) {}
+Pipeline::~Pipeline() = default;
+
+Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress,
+                      const StageBegins& stageBegins) {
+  checkRanges(parameters);
+  Results results;
+  Run run(goal == Goal::classified ? progress.part(0, 2) : progress, stageBegins, results);
+  const Beam beam = beamOf(scan, parameters.scan);
+
+  const Key prepareKey = preparedKey(scan, parameters);
+  const auto prepared = run.stage("low-pass", 0.1, stages_->prepared, prepareKey,
+                                  [&](const Progress& p) { return prepare(scan, parameters, p); });
+
+  ClassificationOptions classification = parameters.classification;
+  if (classification.isoValue <= 0) classification.isoValue = double(prepared->proposedIso);
+  results.isoValue = classification.isoValue;
+  const Key classifyKey = keyOf("classify 1", prepareKey, classification);
+  results.classified = run.stage(
+      "classification", 0.5, stages_->classified, classifyKey,
+      [&](const Progress& p) { return classify(*scan.volume, prepared->smoothed, classification, p); });
+  if (goal == Goal::classified) return results;
+
+  const Key pointsKey = keyOf("points 1", classifyKey, parameters.surface);
+  const auto points = run.stage("points", 0.6, stages_->points, pointsKey, [&](const Progress& p) {
+    return findPoints(*results.classified, *prepared, beam, parameters.surface, p);
+  });
+  results.thinned = points->thinned;
+  results.points = points->points;
+  if (goal == Goal::points) return results;
+
+  require(results.points->size() > 0,
+          "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
+          "edge, or "
+          "lower surface.minClusterVoxels",
+          results.isoValue);
+  return results;
+}
+
+Results Pipeline::preview(const Scan& scan, const Parameters& parameters, const Progress& progress) {
+  checkRanges(parameters);
+  Results results;
+  Run run(progress, {}, results);
+  const auto half = run.stage("half resolution", 0.2, stages_->half, scan.key,
+                              [&](const Progress& p) { return halveResolution(*scan.volume, p); });
+  Scan coarse = scan;
+  coarse.volume = half;
+  Parameters coarser = parameters;
+  coarser.classification = coarserOptions(
+      parameters.classification, half->geometry.minSpacing() / scan.volume->geometry.minSpacing());
+  const auto prepared = run.stage("low-pass", 0.5, stages_->coarse, preparedKey(scan, parameters),
+                                  [&](const Progress& p) { return prepare(coarse, coarser, p); });
+  ClassificationOptions classification = coarser.classification;
+  if (classification.isoValue <= 0) classification.isoValue = double(prepared->proposedIso);
+  results.isoValue = classification.isoValue;
+  results.classified = std::make_shared<const Volume<float>>(
+      classify(*half, prepared->smoothed, classification, progress.part(0.5, 1)));
+  return results;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,132 @@
+#include "core/pipeline/recipe.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/version.h"
+#include "core/pipeline/check_ranges.h"
+
+namespace sonoskin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error("recipe: " + sentence); }
+
+template <class T>
+Json toJson(const T& value) {
+  if constexpr (NamedEnum<T>) {
+    return enumNames(value)[std::size_t(value)];
+  } else {
+    return value;
+  }
+}
+
+template <class T>
+constexpr const char* kindName() {
+  if constexpr (std::is_same_v<T, bool>) return "true or false";
+  if constexpr (std::is_same_v<T, int>) return "a whole number";
+  if constexpr (std::is_same_v<T, double>) return "a number";
+  if constexpr (std::is_same_v<T, std::array<int, 3>>) return "three whole numbers in a list";
+  return "three numbers in a list";
+}
+
+// Whether the JSON value is of T's kind; JSON's own conversions would take 1.5 for an int.
+template <class T>
+bool fits(const Json& json) {
+  if constexpr (std::is_same_v<T, bool>) return json.is_boolean();
+  if constexpr (std::is_same_v<T, int>) return json.is_number_integer();
+  if constexpr (std::is_same_v<T, double>) return json.is_number();
+  return false;
+}
+
+template <class T>
+void fromJson(const Json& json, const std::string& name, T& value) {
+  if constexpr (NamedEnum<T>) {
+    const auto names = enumNames(T{});
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (json.is_string() && json.get<std::string>() == names[i]) {
+        value = T(i);
+        return;
+      }
+    refuse(fmt::format("{} must be one of \"{}\"", name, fmt::join(names, "\", \"")));
+  } else if constexpr (requires { value.size(); }) {
+    using Element = typename T::value_type;
+    if (!json.is_array() || json.size() != value.size())
+      refuse(fmt::format("{} must be {}", name, kindName<T>()));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (!fits<Element>(json[i])) refuse(fmt::format("{} must be {}", name, kindName<T>()));
+      value[i] = json[i].get<Element>();
+    }
+  } else {
+    if (!fits<T>(json)) refuse(fmt::format("{} must be {}", name, kindName<T>()));
+    value = json.get<T>();
+  }
+}
+
+// Reads one group's object; every key must be a field.
+template <class Options>
+void readGroup(const Json& object, const std::string& group, Options& options) {
+  if (!object.is_object()) refuse(fmt::format("\"{}\" must be an object of fields", group));
+  for (const auto& [key, value] : object.items()) {
+    bool known = false;
+    fields(
+        [&, k = std::string_view(key), &v = value](const Field& field, auto& member, auto...) {
+          if (field.name != k) return;
+          known = true;
+          fromJson(v, fmt::format("{}.{}", group, k), member);
+        },
+        options);
+    if (!known) refuse(fmt::format("there is no parameter {}.{}", group, key));
+  }
+}
+
+Json parse(const std::string& text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& e) {
+    refuse(fmt::format("not valid JSON near byte {}", e.byte));
+  }
+}
+
+}  // namespace
+
+std::string writeRecipe(const Parameters& parameters, const Key& input) {
+  Json json;
+  json["sonoskin"] = kVersion;
+  if (input) json["input"] = input.hex();
+  groups(
+      [&](const Group& group, const auto& options) {
+        Json& object = json[std::string(group.name)] = Json::object();
+        fields([&](const Field& field, const auto& member,
+                   auto...) { object[std::string(field.name)] = toJson(member); },
+               options);
+      },
+      parameters);
+  return json.dump(2) + "\n";
+}
+
+void readRecipe(const std::string& text, Parameters& parameters) {
+  const Json json = parse(text);
+  if (!json.is_object()) refuse("it must be a JSON object of parameter groups");
+  Parameters read = parameters;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "sonoskin" || key == "input") continue;
+    bool known = false;
+    groups(
+        [&, k = std::string_view(key), &v = value](const Group& group, auto& options) {
+          if (group.name != k) return;
+          known = true;
+          readGroup(v, std::string(k), options);
+        },
+        read);
+    if (!known) refuse(fmt::format("there is no group of parameters \"{}\"", key));
+  }
+  checkRanges(read);
+  parameters = read;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,110 @@
+#include "core/pipeline/runner.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace sonoskin {
+
+Runner::Runner() {
+  sink_.report = [this](double fraction) {
+    const std::lock_guard lock(mutex_);
+    status_.fraction = fraction;
+  };
+  worker_ = std::thread([this] { work(); });
+}
+
+Runner::~Runner() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    sink_.cancel = true;
+  }
+  wake_.notify_one();
+  worker_.join();
+}
+
+void Runner::submit(Request request) {
+  {
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(request);
+    status_.busy = true;
+    status_.error.clear();
+    status_.cancelled = false;
+    sink_.cancel = true;  // whatever runs now is out of date
+  }
+  wake_.notify_one();
+}
+
+void Runner::cancel() {
+  const std::lock_guard lock(mutex_);
+  if (!status_.busy) return;
+  next_.reset();
+  status_.busy = running_;
+  status_.cancelled = true;
+  sink_.cancel = true;
+}
+
+Runner::Status Runner::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+std::optional<Results> Runner::takeResults() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(results_, std::nullopt);
+}
+
+void Runner::work() {
+  for (;;) {
+    Request request;
+    {
+      std::unique_lock lock(mutex_);
+      running_ = false;
+      status_.busy = next_.has_value();
+      wake_.wait(lock, [this] { return stop_ || next_; });
+      if (stop_) return;
+      request = std::move(*next_);
+      next_.reset();
+      sink_.cancel = false;
+      running_ = status_.busy = true;
+      status_.fraction = 0;
+    }
+    runRequest(request);
+  }
+}
+
+void Runner::runRequest(const Request& request) {
+  const auto deliver = [this](Results results) {
+    const std::lock_guard lock(mutex_);
+    results_ = std::move(results);
+  };
+  const auto fail = [this](const char* sentence) {
+    const std::lock_guard lock(mutex_);
+    status_.error = sentence;
+  };
+  const auto stageBegins = [this](const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    status_.stage = name;
+  };
+  try {
+    const Progress progress(sink_);
+    if (request.previewFirst) {
+      stageBegins("preview");
+      deliver(pipeline_.preview(request.scan, request.parameters, progress.part(0, 0.1)));
+    }
+    deliver(pipeline_.run(request.scan, request.parameters, request.goal,
+                          progress.part(request.previewFirst ? 0.1 : 0, 1), stageBegins));
+    const std::lock_guard lock(mutex_);
+    ++status_.finished;
+    status_.fraction = 1;
+  } catch (const Cancelled&) {
+    // Either a newer request waits, or the person asked to stop: nothing to say.
+  } catch (const std::bad_alloc&) {
+    fail("there is not enough memory for this volume: close other programs or crop the volume");
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+}  // namespace sonoskin
