@@ -1,0 +1,140 @@
+#include "core/phantom/acoustics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/phantom/fetal_face.h"
+#include "core/phantom/random_field.h"
+
+namespace sonoskin {
+namespace {
+
+using glm::vec3;
+
+constexpr float kNear = 2;        // mm from an interface within which its angle matters
+constexpr float kLostSound = 45;  // dB, two ways; beyond it only clutter is left
+constexpr float kOutside = -62;   // dB; also the fluid's own echo
+
+float amplitude(float decibel) { return std::exp(decibel * 0.115129255f); }
+
+float gauss(float x) { return std::exp(-0.5f * x * x); }
+
+// incidence: |cosine| between beam and surface.
+float incidence(const DistanceSample& surface, const vec3& beam) {
+  return std::abs(glm::dot(surface.gradient, beam)) / (glm::length(surface.gradient) + 1e-6f);
+}
+
+float reflection(float cosine) { return 0.05f + 0.95f * cosine * cosine * cosine; }
+
+// Echo: of one sample. scatter and mirror are amplitudes, loss is dB per mm, both ways.
+struct Echo {
+  float scatter = 0, mirror = 0, loss = 0;
+};
+
+// Tissue: what the sound meets at one position.
+class Tissue {
+ public:
+  Tissue(const Anatomy& anatomy, float layer, int seed)
+      : anatomy_(anatomy), layer_(layer), skinKey_(streamKey(seed, 1)), dustKey_(streamKey(seed, 2)) {}
+
+  Echo at(const vec3& p, const vec3& beam, std::uint32_t index) const {
+    DistanceSample skin{anatomy_.skin.value(p), {}}, wall{anatomy_.wall.value(p), {}};
+    if (std::abs(skin.value) < kNear) skin = anatomy_.skin.sample(p);
+    if (std::abs(wall.value) < kNear) wall = anatomy_.wall.sample(p);
+    Echo echo;
+    if (skin.value < 0)
+      echo = inBaby(p, beam, skin);
+    else if (wall.value < 0)
+      echo = inMother(p, beam, wall);
+    else
+      echo = inFluid(std::min(skin.value, wall.value), index);
+    if (std::abs(skin.value) < kNear && wall.value > -0.5f) addSkin(echo, p, skin, incidence(skin, beam));
+    if (std::abs(wall.value) < kNear && skin.value > 0.5f) addWall(echo, p, wall, incidence(wall, beam));
+    return echo;
+  }
+
+ private:
+  Echo inFluid(float clearance, std::uint32_t index) const {
+    const bool vernix = clearance > 1.5f && uniformAt(index, dustKey_) < 1.5e-4f;
+    return {amplitude(vernix ? -12 : kOutside), 0, 0};
+  }
+
+  Echo inBaby(const vec3& p, const vec3& beam, const DistanceSample& skin) const {
+    const float texture = valueNoise(p, 5, 11) + 0.6f * valueNoise(p, 2.2f, 12) - 0.8f;
+    Echo echo{amplitude(-30 + 5 * texture), 0, 0.1f};
+    if (skin.value > -kNear) echo.scatter *= 0.3f + 0.7f * incidence(skin, beam);
+    const DistanceSample bone = anatomy_.bone.sample(p);
+    if (bone.value < 0) echo = {amplitude(-42), 0, 9};
+    if (std::abs(bone.value) < 1.2f && skin.value < -0.8f) {
+      const float depth = bone.value / std::max(0.35f, layer_);
+      echo.mirror = amplitude(-9) * gauss(depth) * reflection(incidence(bone, beam));
+    }
+    return echo;
+  }
+
+  Echo inMother(const vec3& p, const vec3& beam, const DistanceSample& wall) const {
+    const vec3 fibres(p.x / 3, p.y * 1.4f, p.z / 3);  // muscle lies in sheets along the wall
+    const float texture = valueNoise(fibres, 2, 21) + 0.7f * valueNoise(p, 6, 22) - 0.85f;
+    Echo echo{amplitude(-27 + 9 * texture), 0, 0.06f};
+    if (wall.value > -kNear) echo.scatter *= 0.35f + 0.65f * incidence(wall, beam);
+    return echo;
+  }
+
+  // The skin's echo is patchy: it drops out where the surface is rough or covered with vernix.
+  void addSkin(Echo& echo, const vec3& p, const DistanceSample& skin, float cosine) const {
+    const float coarse = valueNoise(p, 6, skinKey_), fine = valueNoise(p, 2.2f, skinKey_ + 1);
+    const float patch = amplitude(-14 * coarse * coarse - 5 * fine);
+    echo.mirror += amplitude(-3) * patch * gauss((skin.value + 0.45f) / layer_) * reflection(cosine);
+    if (cosine < 0.25f && std::abs(skin.value + 0.3f) < 0.6f) echo.loss += 2;
+  }
+
+  void addWall(Echo& echo, const vec3& p, const DistanceSample& wall, float cosine) const {
+    const float patch = amplitude(-10 * valueNoise(p, 5, skinKey_ + 2));
+    echo.mirror += amplitude(-8) * patch * gauss((wall.value + 0.45f) / (1.2f * layer_)) * reflection(cosine);
+  }
+
+  const Anatomy& anatomy_;
+  float layer_;  // mm, standard deviation of a reflecting layer: never thinner than the samples resolve
+  std::uint32_t skinKey_, dustKey_;
+};
+
+bool inView(const vec3& p) {
+  return glm::all(glm::greaterThan(p, vec3(-3))) && glm::all(glm::lessThan(p, vec3(kFieldOfView) + 3.f));
+}
+
+}  // namespace
+
+Anatomy sampleAnatomy(double spacing, const Progress& progress) {
+  const Geometry grid{glm::ivec3(glm::ceil(kFieldOfView / spacing)) + 1, glm::dvec3(spacing), glm::dvec3(0),
+                      glm::dmat3(1)};
+  return {DistanceGrid(sampleDistance(grid, skinDistance, kNear + spacing, progress.part(0, 0.6))),
+          DistanceGrid(sampleDistance(grid, boneDistance, 1.2 + spacing, progress.part(0.6, 0.9))),
+          DistanceGrid(sampleDistance(grid, wallDistance, kNear + spacing, progress.part(0.9, 1)))};
+}
+
+std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatomy, int seed,
+                                 const Progress& progress) {
+  std::vector<float> out(sector.samples(), amplitude(kOutside));
+  const Tissue tissue(anatomy, std::max(0.2f, 0.5f * sector.rangeStep), seed);
+  parallelFor(
+      std::ptrdiff_t(sector.laterals) * sector.elevations,
+      [&](std::ptrdiff_t column) {
+        const int j = int(column % sector.laterals), k = int(column / sector.laterals);
+        const vec3 beam = sector.beam(j, k);
+        const std::size_t row = sector.row(j, k);
+        float loss = 0;
+        for (int i = 0; i < sector.ranges; ++i) {
+          const vec3 p = sector.apex + beam * (sector.firstRange + float(i) * sector.rangeStep);
+          if (!inView(p)) continue;
+          const Echo echo = tissue.at(p, beam, std::uint32_t(row) + std::uint32_t(i));
+          loss = std::min(loss + echo.loss * sector.rangeStep, kLostSound);
+          out[row + std::size_t(i)] =
+              amplitude(-loss) * std::sqrt(echo.scatter * echo.scatter + echo.mirror * echo.mirror);
+        }
+      },
+      progress);
+  return out;
+}
+
+}  // namespace sonoskin

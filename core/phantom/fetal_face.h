@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace sonoskin {
+
+// The phantom's anatomy, in the world of the simulated scan: mm, x toward the feet, y away from the probe, z
+// toward the baby's left. The field of view is kFieldOfView, from the world's origin; the probe is at y = 0.
+inline constexpr glm::dvec3 kFieldOfView{140.1, 76.5, 111.6};
+
+// skinDistance: signed distance to the baby's skin; negative inside.
+//   world    mm
+//   output   mm; a lower bound far from the skin, |gradient| within 0.2 of 1 at the skin, Lipschitz constant
+//   < 1.2 cost     0.5 us
+double skinDistance(const glm::dvec3& world);
+
+// boneDistance: signed distance to the baby's bones; negative inside.
+double boneDistance(const glm::dvec3& world);
+
+// wallDistance: signed distance to the uterine wall and the placenta; negative inside the mother's tissue.
+double wallDistance(const glm::dvec3& world);
+
+}  // namespace sonoskin

@@ -1,0 +1,27 @@
+#include "core/phantom/phantom_geometry.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/phantom/fetal_face.h"
+
+namespace sonoskin {
+
+Geometry phantomGeometry(const PhantomOptions& options) {
+  const auto [i, j, k] = options.dims;
+  require(std::min({i, j, k}) >= 16 && std::max({i, j, k}) <= 1024,
+          "phantom.dims is {} x {} x {} voxels: each must lie between 16 and 1024", i, j, k);
+  require(options.snr >= 0 && options.snr <= 60, "phantom.snr is {} dB: it must lie between 0 and 60",
+          options.snr);
+  require(options.seed >= 0 && options.seed <= 1000000,
+          "phantom.seed is {}: it must lie between 0 and 1000000", options.seed);
+  Geometry geometry;
+  geometry.dims = {i, j, k};
+  geometry.spacing = kFieldOfView / glm::dvec3(geometry.dims);
+  geometry.origin = 0.5 * geometry.spacing;
+  return geometry;
+}
+
+double anatomySpacing(const Geometry& geometry) { return std::clamp(geometry.minSpacing() / 0.6, 0.5, 1.0); }
+
+}  // namespace sonoskin

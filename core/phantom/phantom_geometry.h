@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/phantom/phantom_options.h"
+#include "core/volume/volume.h"
+
+namespace sonoskin {
+
+// phantomGeometry: the simulated scan's grid: `dims` voxels that fill the field of view, world axes.
+//   errors   Error: an option is out of range
+Geometry phantomGeometry(const PhantomOptions& options);
+
+// anatomySpacing: mm; how finely to sample the anatomy for voxels of that size: 0.5 for the default ones.
+double anatomySpacing(const Geometry& geometry);
+
+}  // namespace sonoskin
