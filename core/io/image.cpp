@@ -1,0 +1,58 @@
+#include "core/io/image.h"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <cstring>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr int kMaxSide = 16384;
+
+void append(void* target, void* data, int bytes) {
+  const auto* first = static_cast<const std::uint8_t*>(data);
+  static_cast<std::vector<std::uint8_t>*>(target)->insert(
+      static_cast<std::vector<std::uint8_t>*>(target)->end(), first, first + bytes);
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  const std::size_t bytes = 4 * std::size_t(image.width) * std::size_t(image.height);
+  require(image.width > 0 && image.height > 0 && image.rgba.size() == bytes,
+          "A picture of {} x {} pixels with {} bytes cannot be written.", image.width, image.height,
+          image.rgba.size());
+  std::vector<std::uint8_t> png;
+  const int done =
+      stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(), 4 * image.width);
+  require(done != 0, "The picture {} could not be encoded.", path.string());
+  writeBytes(path, png.data(), png.size());
+}
+
+Image readPng(const std::filesystem::path& path) {
+  const std::vector<std::uint8_t> png = readBytes(path);
+  static constexpr std::uint8_t kMagic[] = {0x89, 'P', 'N', 'G'};
+  require(png.size() > sizeof kMagic && png.size() < (1u << 30) &&
+              !std::memcmp(png.data(), kMagic, sizeof kMagic),
+          "{} is not a PNG picture.", path.string());
+  Image image;
+  int channels = 0;
+  const int size = int(png.size());
+  // The size is looked at before anything is allocated for the pixels.
+  require(stbi_info_from_memory(png.data(), size, &image.width, &image.height, &channels) != 0 &&
+              image.width <= kMaxSide && image.height <= kMaxSide,
+          "{} is damaged or larger than {} x {} pixels.", path.string(), kMaxSide, kMaxSide);
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(png.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
+  require(pixels != nullptr, "{} is damaged or incomplete; get a fresh copy.", path.string());
+  image.rgba.assign(pixels.get(), pixels.get() + 4 * std::size_t(image.width) * std::size_t(image.height));
+  return image;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,134 @@
+#include "core/io/normalise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/base/parallel.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr double kLowPercentile = 0.0005, kHighPercentile = 0.9995;
+constexpr std::size_t kSamples = 1u << 22;
+constexpr float kLuminance[3] = {0.2126f, 0.7152f, 0.0722f};
+
+// The values of the first time step as doubles' nearest floats; not finite ones stay so.
+template <class T>
+Volume<float> values(const StoredVolume& stored, const std::uint8_t* numbers, const Progress& progress) {
+  Volume<float> volume(stored.geometry);
+  const std::size_t slice = std::size_t(stored.geometry.dims.x) * std::size_t(stored.geometry.dims.y);
+  const std::size_t stride = std::size_t(stored.components);
+  const bool colour = stride >= 3 && !stored.timeIsFastest;
+  parallelFor(
+      stored.geometry.dims.z,
+      [&](std::ptrdiff_t k) {
+        const auto number = [&](std::size_t n) {
+          T t;
+          std::memcpy(&t, numbers + n * sizeof(T), sizeof(T));
+          return stored.slope * double(t) + stored.intercept;
+        };
+        for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v) {
+          double value = number(v * stride);
+          if (colour)
+            value = kLuminance[0] * value + kLuminance[1] * number(v * stride + 1) +
+                    kLuminance[2] * number(v * stride + 2);
+          volume.data[v] = float(value);
+        }
+      },
+      progress);
+  return volume;
+}
+
+Volume<float> valuesOf(const StoredVolume& s, const std::uint8_t* n, const Progress& progress) {
+  if (s.encoding == Encoding::text) return values<double>(s, n, progress);
+  switch (s.type) {
+    case NumberType::int8:
+      return values<std::int8_t>(s, n, progress);
+    case NumberType::uint8:
+      return values<std::uint8_t>(s, n, progress);
+    case NumberType::int16:
+      return values<std::int16_t>(s, n, progress);
+    case NumberType::uint16:
+      return values<std::uint16_t>(s, n, progress);
+    case NumberType::int32:
+      return values<std::int32_t>(s, n, progress);
+    case NumberType::uint32:
+      return values<std::uint32_t>(s, n, progress);
+    case NumberType::int64:
+      return values<std::int64_t>(s, n, progress);
+    case NumberType::uint64:
+      return values<std::uint64_t>(s, n, progress);
+    case NumberType::float32:
+      return values<float>(s, n, progress);
+    case NumberType::float64:
+      return values<double>(s, n, progress);
+  }
+  return {};
+}
+
+std::pair<double, double> extremes(const std::vector<float>& data) {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const float v : data) {
+    if (!std::isfinite(v)) continue;
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  return low <= high ? std::pair<double, double>(low, high) : std::pair<double, double>(0, 0);
+}
+
+std::pair<double, double> percentiles(const std::vector<float>& data) {
+  // An odd stride does not fall into step with rows of even length.
+  const std::size_t stride = (data.size() / kSamples) | 1;
+  std::vector<float> sample;
+  sample.reserve(data.size() / stride + 1);
+  for (std::size_t v = 0; v < data.size(); v += stride)
+    if (std::isfinite(data[v])) sample.push_back(data[v]);
+  if (sample.empty()) return {0, 0};
+  const auto at = [&](double p) {
+    const auto nth = sample.begin() + std::ptrdiff_t(std::lround(p * double(sample.size() - 1)));
+    std::nth_element(sample.begin(), nth, sample.end());
+    return double(*nth);
+  };
+  return {at(kLowPercentile), at(kHighPercentile)};
+}
+
+std::pair<double, double> unitRange(const StoredVolume& stored, const NormalisedVolume& n) {
+  if (stored.unitRange) return *stored.unitRange;
+  std::pair<double, double> range;
+  if (stored.type == NumberType::uint8 || stored.type == NumberType::int8) {
+    const double least = stored.type == NumberType::uint8 ? 0 : -128;
+    range = std::minmax(
+        {stored.slope * least + stored.intercept, stored.slope * (least + 255) + stored.intercept});
+  } else {
+    range = percentiles(n.volume.data);
+    if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};
+  }
+  return range.first < range.second ? range : std::pair{range.first, range.first + 1};
+}
+
+}  // namespace
+
+NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,
+                           const Progress& progress) {
+  NormalisedVolume n;
+  n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
+  std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
+  std::tie(n.originalMin, n.originalMax) = unitRange(stored, n);
+  const std::size_t slice = n.volume.data.size() / std::size_t(stored.geometry.dims.z);
+  const double width = n.originalMax - n.originalMin;
+  parallelFor(
+      stored.geometry.dims.z,
+      [&](std::ptrdiff_t k) {
+        for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v) {
+          float& value = n.volume.data[v];
+          value =
+              std::isfinite(value) ? float(std::clamp((double(value) - n.originalMin) / width, 0.0, 1.0)) : 0;
+        }
+      },
+      progress.part(0.5, 1));
+  return n;
+}
+
+}  // namespace sonoskin

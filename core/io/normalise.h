@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/io/stored_volume.h"
+
+namespace sonoskin {
+
+// NormalisedVolume: intensities in [0, 1], and what 0 and 1 were in the file.
+struct NormalisedVolume {
+  Volume<float> volume;
+  double originalMin = 0, originalMax = 1;  // what 0 and 1 stand for
+  double valueMin = 0, valueMax = 0;        // least and greatest finite value in the file
+};
+
+// normalise: turns the numbers of a file into intensities.
+//   input   numbers  as readNumbers gives them
+//   output  8-bit types: the type's range becomes [0, 1]. Others: the 0.05th and the 99.95th percentile of
+//   the finite
+//           values become 0 and 1 and values beyond are clamped: a wide type's range says nothing (CT uses
+//           4,000 of 65,536 values) and a few stray values must not darken all others. Where that leaves no
+//           contrast, the least and the greatest value. A file of ours tells its range itself. NaN and
+//           infinity become 0. Colour becomes its luminance (Rec. 709 weights on the coded values, so that
+//           grey stays as it is); of several time steps side by side the first is taken.
+//   cost    O(voxels); percentiles from at most 4 million voxels, evenly chosen
+//   errors  Cancelled
+NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,
+                           const Progress& progress = {});
+
+}  // namespace sonoskin

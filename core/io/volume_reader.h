@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz), VTK
+// legacy
+// (.vtk), or a DICOM series (its folder or one of its files; the largest series of several).
+//   output  intensities in [0, 1] (core/io/normalise.h tells how); world mm, LPS; of several time steps the
+//   first.
+//           spacingKnown is false where the file gives none: the caller must say so
+//   errors  Error: no such file, an unknown format, a file that is damaged, incomplete, flat or too large,
+//   each in one
+//           sentence; Cancelled
+//   cost    packed files 150 MB/s and more; five bytes of memory for one of an 8-bit file
+// Files are not trusted: every size is checked against the bytes that are there before memory is taken for
+// it. Nothing that could name a patient is kept.
+Scan readScan(const std::filesystem::path& path, const Progress& progress = {});
+
+// VolumeInfo: what is in a volume file, for people. Holds nothing that could name a patient.
+struct VolumeInfo {
+  std::string format;        // "NRRD", "MetaImage", "NIfTI", "VTK", "DICOM series"
+  Geometry geometry;         // of the first time step
+  bool spacingKnown = true;  // false: the file gives none and 1 mm stands for it
+  std::string numberType;    // "uint8", ...
+  int components = 1;        // numbers per voxel
+  int timeSteps = 1;
+  double valueMin = 0, valueMax = 0;  // least and greatest finite value of the first time step
+  std::uintmax_t bytes = 0;           // of the file or files
+  std::optional<Beam> beam;
+};
+
+// readVolumeInfo: reads the file as readScan does and tells what is in it.
+VolumeInfo readVolumeInfo(const std::filesystem::path& path, const Progress& progress = {});
+
+}  // namespace sonoskin
