@@ -66,8 +66,8 @@ namespace {
 // One run: hands each stage its slice of the progress and notes what it cost.
 class Run {
  public:
-  Run(const Progress& progress, const Pipeline::StageBegins& stageBegins, Results& results)
-      : progress_(progress), stageBegins_(stageBegins), results_(results) {}
+  Run(const Progress& progress, Pipeline::StageBegins stageBegins, Results& results)
+      : progress_(progress), stageBegins_(std::move(stageBegins)), results_(results) {}
 
   // stage: the remembered result for `key`, or a new one; the progress then stands at `until`.
   template <class T, class Compute>
@@ -89,7 +89,7 @@ class Run {
 
  private:
   Progress progress_;
-  const Pipeline::StageBegins& stageBegins_;
+  Pipeline::StageBegins stageBegins_;
   Results& results_;
   double at_ = 0;
 };
