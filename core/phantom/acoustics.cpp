@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/phantom/fetal_face.h"
@@ -16,6 +17,9 @@ constexpr float kNear = 2;        // mm from an interface within which its angle
 constexpr float kLostSound = 45;  // dB, two ways; beyond it only clutter is left
 constexpr float kOutside = -62;   // dB; also the fluid's own echo
 
+// Losses, dB per mm of depth, there and back.
+constexpr float kLossBaby = 0.1f, kLossMother = 0.06f, kLossBone = 9, kLossGrazing = 2;
+
 float amplitude(float decibel) { return std::exp(decibel * 0.115129255f); }
 
 float gauss(float x) { return std::exp(-0.5f * x * x); }
@@ -26,6 +30,11 @@ float incidence(const DistanceSample& surface, const vec3& beam) {
 }
 
 float reflection(float cosine) { return 0.05f + 0.95f * cosine * cosine * cosine; }
+
+// grazes: whether sound at that distance from the skin is bent and scattered away (the shadow of an edge).
+bool grazes(float skinDistance, float cosine) {
+  return cosine < 0.25f && std::abs(skinDistance + 0.3f) < 0.6f;
+}
 
 // Echo: of one sample. scatter and mirror are amplitudes, loss is dB per mm, both ways.
 struct Echo {
@@ -62,10 +71,10 @@ class Tissue {
 
   Echo inBaby(const vec3& p, const vec3& beam, const DistanceSample& skin) const {
     const float texture = valueNoise(p, 5, 11) + 0.6f * valueNoise(p, 2.2f, 12) - 0.8f;
-    Echo echo{amplitude(-30 + 5 * texture), 0, 0.1f};
+    Echo echo{amplitude(-30 + 5 * texture), 0, kLossBaby};
     if (skin.value > -kNear) echo.scatter *= 0.3f + 0.7f * incidence(skin, beam);
     const DistanceSample bone = anatomy_.bone.sample(p);
-    if (bone.value < 0) echo = {amplitude(-42), 0, 9};
+    if (bone.value < 0) echo = {amplitude(-42), 0, kLossBone};
     if (std::abs(bone.value) < 1.2f && skin.value < -0.8f) {
       const float depth = bone.value / std::max(0.35f, layer_);
       echo.mirror = amplitude(-9) * gauss(depth) * reflection(incidence(bone, beam));
@@ -76,7 +85,7 @@ class Tissue {
   Echo inMother(const vec3& p, const vec3& beam, const DistanceSample& wall) const {
     const vec3 fibres(p.x / 3, p.y * 1.4f, p.z / 3);  // muscle lies in sheets along the wall
     const float texture = valueNoise(fibres, 2, 21) + 0.7f * valueNoise(p, 6, 22) - 0.85f;
-    Echo echo{amplitude(-27 + 9 * texture), 0, 0.06f};
+    Echo echo{amplitude(-27 + 9 * texture), 0, kLossMother};
     if (wall.value > -kNear) echo.scatter *= 0.35f + 0.65f * incidence(wall, beam);
     return echo;
   }
@@ -86,7 +95,7 @@ class Tissue {
     const float coarse = valueNoise(p, 6, skinKey_), fine = valueNoise(p, 2.2f, skinKey_ + 1);
     const float patch = amplitude(-14 * coarse * coarse - 5 * fine);
     echo.mirror += amplitude(-3) * patch * gauss((skin.value + 0.45f) / layer_) * reflection(cosine);
-    if (cosine < 0.25f && std::abs(skin.value + 0.3f) < 0.6f) echo.loss += 2;
+    if (grazes(skin.value, cosine)) echo.loss += kLossGrazing;
   }
 
   void addWall(Echo& echo, const vec3& p, const DistanceSample& wall, float cosine) const {
@@ -105,9 +114,13 @@ bool inView(const vec3& p) {
 
 }  // namespace
 
+Geometry anatomyGrid(double spacing) {
+  const glm::ivec3 cells(glm::ceil(kFieldOfView / spacing));
+  return {cells + 3, glm::dvec3(spacing), glm::dvec3(-spacing), glm::dmat3(1)};
+}
+
 Anatomy sampleAnatomy(double spacing, const Progress& progress) {
-  const Geometry grid{glm::ivec3(glm::ceil(kFieldOfView / spacing)) + 1, glm::dvec3(spacing), glm::dvec3(0),
-                      glm::dmat3(1)};
+  const Geometry grid = anatomyGrid(spacing);
   return {DistanceGrid(sampleDistance(grid, skinDistance, kNear + spacing, progress.part(0, 0.6))),
           DistanceGrid(sampleDistance(grid, boneDistance, 1.2 + spacing, progress.part(0.6, 0.9))),
           DistanceGrid(sampleDistance(grid, wallDistance, kNear + spacing, progress.part(0.9, 1)))};
@@ -135,6 +148,24 @@ std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatom
       },
       progress);
   return out;
+}
+
+float lossBefore(const SectorGrid& sector, const DistanceGrid& skin, const DistanceGrid& wall,
+                 const vec3& world) {
+  constexpr float kSkip = 1, kStep = 0.25f;
+  const float range = glm::distance(world, sector.apex);
+  if (range < sector.firstRange) return std::numeric_limits<float>::infinity();
+  const vec3 beam = (world - sector.apex) / range;
+  float loss = 0, step = kStep;
+  for (float r = sector.firstRange; r < range - kSkip; r += step) {
+    const vec3 p = sector.apex + beam * r;
+    const float toSkin = skin.value(p);
+    if (toSkin < 0) return std::numeric_limits<float>::infinity();
+    step = std::max(kStep, 0.8f * std::min(toSkin - kNear, std::abs(wall.value(p))));
+    if (wall.value(p) < 0) loss += kLossMother * step;
+    if (toSkin < kNear && grazes(toSkin, incidence(skin.sample(p), beam))) loss += kLossGrazing * step;
+  }
+  return loss;
 }
 
 }  // namespace sonoskin

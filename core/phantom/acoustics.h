@@ -13,7 +13,10 @@ struct Anatomy {
   DistanceGrid skin, bone, wall;
 };
 
-// sampleAnatomy: the phantom's distances on a grid of `spacing` mm.
+// anatomyGrid: nodes `spacing` mm apart over the field of view and one spacing beyond it, to both sides.
+Geometry anatomyGrid(double spacing);
+
+// sampleAnatomy: the phantom's distances on anatomyGrid(spacing), exact where the sound needs them.
 Anatomy sampleAnatomy(double spacing, const Progress& progress = {});
 
 // echoAmplitude: the root mean square echo of the scatterers at each sample of the sector.
@@ -27,5 +30,12 @@ Anatomy sampleAnatomy(double spacing, const Progress& progress = {});
 //   errors   Cancelled
 std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatomy, int seed,
                                  const Progress& progress = {});
+
+// lossBefore: what the sound loses between the probe and the fluid 1 mm before `world`.
+//   output   dB, there and back; infinite where the baby is in the way, or the point lies before the probe's
+//   first
+//            range
+float lossBefore(const SectorGrid& sector, const DistanceGrid& skin, const DistanceGrid& wall,
+                 const glm::vec3& world);
 
 }  // namespace sonoskin

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/mesh/marching_cubes.h"
+#include "core/phantom/acoustics.h"
+#include "core/phantom/fetal_face.h"
+#include "core/phantom/phantom.h"
+#include "core/phantom/phantom_geometry.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr float kFacing = 0.25f;  // least cosine between the normal and the way back to the probe
+constexpr float kShadow = 8;      // dB of loss, there and back, from which skin lies in a shadow
+constexpr float kBorder = 1;      // mm within the sector and the field of view
+constexpr std::ptrdiff_t kBatch = 4096;
+
+// boxDistance: to the border of the field of view, negative inside.
+double boxDistance(const glm::dvec3& p) {
+  const glm::dvec3 beyond = glm::abs(p - 0.5 * kFieldOfView) - 0.5 * kFieldOfView;
+  return std::max({beyond.x, beyond.y, beyond.z});
+}
+
+// clipToView: closes the baby where it leaves the field of view.
+Volume<float> clipToView(Volume<float> skin, const Progress& progress) {
+  const Geometry g = skin.geometry;
+  parallelFor(
+      g.dims.z,
+      [&](std::ptrdiff_t k) {
+        for (int j = 0; j < g.dims.y; ++j)
+          for (int i = 0; i < g.dims.x; ++i) {
+            float& d = skin.at(i, j, int(k));
+            d = std::max(d, float(boxDistance(g.toWorld({i, j, k}))));
+          }
+      },
+      progress);
+  return skin;
+}
+
+glm::dvec3 gradientOf(double (*distance)(const glm::dvec3&), const glm::dvec3& p) {
+  constexpr double h = 0.02;
+  glm::dvec3 gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 step(0);
+    step[axis] = h;
+    gradient[axis] = (distance(p + step) - distance(p - step)) / (2 * h);
+  }
+  return gradient;
+}
+
+// Truth: finishes the vertices of a mesh one by one.
+class Truth {
+ public:
+  Truth(const SectorGrid& sector, const DistanceGrid& skin, const DistanceGrid& wall)
+      : sector_(sector), skin_(skin), wall_(wall) {}
+
+  // finish: moves a vertex of the skin onto the exact surface, and finds its normal and visibility.
+  void finish(Mesh& mesh, std::size_t v) const {
+    glm::dvec3 p(mesh.positions[v]);
+    const bool cap = boxDistance(p) > -1e-3;
+    const glm::dvec3 gradient = gradientOf(cap ? boxDistance : skinDistance, p);
+    if (!cap) p -= gradient * (skinDistance(p) / std::max(glm::dot(gradient, gradient), 0.25));
+    mesh.positions[v] = glm::vec3(p);
+    mesh.normals[v] = glm::vec3(glm::normalize(gradient));
+    mesh.visibility[v] = !cap && seen(mesh.positions[v], mesh.normals[v]) ? 1.f : 0.f;
+  }
+
+ private:
+  bool seen(const glm::vec3& p, const glm::vec3& normal) const {
+    if (boxDistance(p) > -double(kBorder) || !sector_.contains(p, kBorder)) return false;
+    if (glm::dot(normal, glm::normalize(sector_.apex - p)) <= kFacing) return false;
+    return lossBefore(sector_, skin_, wall_, p) < kShadow;
+  }
+
+  const SectorGrid& sector_;
+  const DistanceGrid &skin_, &wall_;
+};
+
+}  // namespace
+
+Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress) {
+  const Geometry voxels = phantomGeometry(options);
+  const Geometry grid = anatomyGrid(anatomySpacing(voxels));
+  const DistanceGrid skin(sampleDistance(grid, skinDistance, 2.5, progress.part(0, 0.5)));
+  const DistanceGrid wall(sampleDistance(grid, wallDistance, 1, progress.part(0.5, 0.55)));
+  Mesh mesh = marchingCubes(clipToView(skin.samples(), progress.part(0.55, 0.6)), 0, progress.part(0.6, 0.7));
+  mesh.normals.resize(mesh.positions.size());
+  mesh.visibility.resize(mesh.positions.size());
+  const SectorGrid sector = phantomSector(voxels.spacing);
+  const Truth truth(sector, skin, wall);
+  const auto count = std::ptrdiff_t(mesh.positions.size());
+  parallelFor((count + kBatch - 1) / kBatch,
+              [&](std::ptrdiff_t batch) {
+                const std::ptrdiff_t end = std::min(count, (batch + 1) * kBatch);
+                for (std::ptrdiff_t v = batch * kBatch; v < end; ++v) truth.finish(mesh, std::size_t(v));
+              },
+              progress.part(0.7, 1));
+  return mesh;
+}
+
+}  // namespace sonoskin
