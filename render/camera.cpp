@@ -1,0 +1,158 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/base/error.h"
+
+namespace sonoskin {
+namespace {
+
+struct Preset {
+  std::string_view name;
+  glm::vec3 forward, up;
+};
+
+// LPS: +x is the patient's left, +y the back, +z the head.
+constexpr std::array<Preset, 7> kPresets{{{"front", {0, 1, 0}, {0, 0, 1}},
+                                          {"back", {0, -1, 0}, {0, 0, 1}},
+                                          {"left", {-1, 0, 0}, {0, 0, 1}},
+                                          {"right", {1, 0, 0}, {0, 0, 1}},
+                                          {"top", {0, 0, -1}, {0, -1, 0}},
+                                          {"bottom", {0, 0, 1}, {0, -1, 0}},
+                                          {"portrait", {0, 0, -1}, {0, 1, 0}}}};
+
+glm::vec3 turned(const glm::vec3& v, const glm::vec3& axis, float angle) {
+  return glm::vec3(glm::rotate(glm::mat4(1), angle, axis) * glm::vec4(v, 0));
+}
+
+std::array<glm::vec3, 8> corners(const Box& box) {
+  std::array<glm::vec3, 8> result;
+  for (int c = 0; c < 8; ++c)
+    result[std::size_t(c)] = {c & 1 ? box.max.x : box.min.x, c & 2 ? box.max.y : box.min.y,
+                              c & 4 ? box.max.z : box.min.z};
+  return result;
+}
+
+[[noreturn]] void refuse(std::string_view word) {
+  throw Error(
+      fmt::format(
+          "--camera: \"{}\" is not known; use probe, front, back, left, right, top, bottom or portrait, "
+          "then azimuth=, elevation=, roll= (degrees) or zoom=",
+          word),
+      Error::Kind::usage);
+}
+
+// applyChange: "azimuth=30" and the like.
+void applyChange(std::string_view word, Camera& camera) {
+  const auto equals = word.find('=');
+  if (equals == std::string_view::npos) refuse(word);
+  const auto name = word.substr(0, equals), number = word.substr(equals + 1);
+  float value = 0;
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (failure != std::errc() || end != number.data() + number.size()) refuse(word);
+  const float angle = glm::radians(value);
+  if (name == "azimuth")
+    camera.orbit(angle, 0);
+  else if (name == "elevation")
+    camera.orbit(0, angle);
+  else if (name == "roll")
+    camera.roll(angle);
+  else if (name == "zoom" && value > 0)
+    camera.zoom(value);
+  else
+    refuse(word);
+}
+
+// presetCamera: the camera of a preset's name; nothing where the word is none.
+bool presetCamera(std::string_view word, const Beam& beam, const Box& box, float aspect, Camera& camera) {
+  if (word == "probe") {
+    camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, aspect);
+    return true;
+  }
+  for (const auto& preset : kPresets)
+    if (preset.name == word) {
+      camera = lookAlong(preset.forward, preset.up, box, aspect);
+      return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+glm::mat4 Camera::view() const { return glm::lookAt(eye(), target, up); }
+
+glm::mat4 Camera::projection(float aspect, const Box& box) const {
+  float nearest = 1e30f, farthest = -1e30f;
+  for (const auto& corner : corners(box)) {
+    const float depth = glm::dot(corner - eye(), forward);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  farthest = std::max(farthest * 1.01f, 0.02f * distance);
+  nearest = std::max(nearest * 0.99f, std::max(0.01f * distance, 0.001f * farthest));
+  return glm::perspective(glm::radians(fieldOfView), aspect, nearest, std::max(farthest, 1.01f * nearest));
+}
+
+float Camera::millimetresPerPixel(int height) const {
+  return 2 * distance * std::tan(0.5f * glm::radians(fieldOfView)) / float(height);
+}
+
+void Camera::orbit(float toRight, float upward) {
+  forward = glm::normalize(turned(forward, up, toRight));
+  const glm::vec3 axis = right();
+  forward = glm::normalize(turned(forward, axis, -upward));
+  up = glm::normalize(glm::cross(axis, forward));
+}
+
+void Camera::roll(float angle) { up = glm::normalize(turned(up, forward, -angle)); }
+
+void Camera::pan(glm::vec2 pixels, int height) {
+  const glm::vec2 mm = pixels * millimetresPerPixel(height);
+  target -= mm.x * right() + mm.y * up;
+}
+
+Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect) {
+  Camera camera;
+  camera.target = box.centre();
+  camera.forward = glm::normalize(forward);
+  const glm::vec3 right = glm::normalize(glm::cross(camera.forward, up));
+  camera.up = glm::cross(right, camera.forward);
+  // Every corner must lie inside the four side planes: distance >= |offset| / tangent - depth beyond the
+  // target.
+  const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
+  camera.distance = 1e-3f;
+  for (const auto& corner : corners(box)) {
+    const glm::vec3 d = corner - camera.target;
+    const float sideways = std::max(std::abs(glm::dot(d, right)) / aspect, std::abs(glm::dot(d, camera.up)));
+    camera.distance = std::max(camera.distance, 1.04f * sideways / tangent - glm::dot(d, camera.forward));
+  }
+  return camera;
+}
+
+Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect) {
+  Camera camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, aspect);
+  bool first = true;
+  while (!text.empty()) {
+    const auto word = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    if (!(first && presetCamera(word, beam, box, aspect, camera))) applyChange(word, camera);
+    first = false;
+  }
+  return camera;
+}
+
+Box worldBox(const Geometry& geometry) {
+  const glm::dvec3 last(geometry.dims - 1);
+  Box box{glm::vec3(geometry.toWorld({0, 0, 0})), glm::vec3(geometry.toWorld({0, 0, 0}))};
+  for (int c = 1; c < 8; ++c) {
+    const glm::vec3 p(geometry.toWorld({c & 1 ? last.x : 0, c & 2 ? last.y : 0, c & 4 ? last.z : 0}));
+    box.min = glm::min(box.min, p);
+    box.max = glm::max(box.max, p);
+  }
+  return box;
+}
+
+}  // namespace sonoskin

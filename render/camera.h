@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string_view>
+
+#include "core/mesh/mesh.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// Camera: a perspective camera that orbits a point. World mm.
+//   forward, up  unit and orthogonal; forward is where it looks
+//   distance     from the eye to the target, mm
+struct Camera {
+  glm::vec3 target{0};
+  glm::vec3 forward{0, 1, 0};
+  glm::vec3 up{0, 0, 1};
+  float distance = 100;
+  float fieldOfView = 24;  // vertical, degrees; narrow, as for a portrait: near things do not swell
+
+  glm::vec3 right() const { return glm::cross(forward, up); }
+  glm::vec3 eye() const { return target - distance * forward; }
+  glm::mat4 view() const;
+  // projection: near and far planes close around a box of the world, or around the target where it is behind.
+  glm::mat4 projection(float aspect, const Box& box) const;
+  // millimetresPerPixel: at the target's depth, for a picture of `height` pixels.
+  float millimetresPerPixel(int height) const;
+
+  // orbit: turns the eye about the target, to its own right and upward, radians.
+  void orbit(float toRight, float upward);
+  // roll: turns the picture clockwise, radians.
+  void roll(float angle);
+  // pan: moves what is seen by pixels to the right and upward in a picture of `height` pixels.
+  void pan(glm::vec2 pixels, int height);
+  void zoom(float factor) { distance /= factor; }
+};
+
+// lookAlong: a camera that sees the whole box, looking along `forward`.
+//   up      any vector that is not parallel to forward
+//   aspect  width / height of the picture
+Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect);
+
+// parseCamera: a camera that sees the whole box, from words.
+//   text    comma-separated: one of the presets, or nothing (probe), then changes to it:
+//           probe (along the middle beam); LPS: front, back, left, right, top, bottom; portrait (y up, from
+//           +z) azimuth=<degrees to the camera's right>, elevation=<degrees upward>, roll=<degrees
+//           clockwise>, zoom=<factor>
+//   errors  Error (usage): an unknown word, not a number, zoom <= 0
+Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect);
+
+// worldBox: the axis-aligned box around a volume, from the outer voxels' centres.
+Box worldBox(const Geometry& geometry);
+
+}  // namespace sonoskin

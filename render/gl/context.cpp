@@ -1,0 +1,55 @@
+#include "render/gl/context.h"
+
+#include <glad/gl.h>
+
+#include <atomic>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "render/gl/offscreen.h"
+
+namespace sonoskin::gl {
+namespace {
+
+std::atomic<int> errorCount{0};
+std::mutex lastErrorMutex;
+std::string lastError;
+
+void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+                            const void*) {
+  if (type != GL_DEBUG_TYPE_ERROR) return;
+  ++errorCount;
+  const std::lock_guard lock(lastErrorMutex);
+  lastError.assign(text, std::size_t(length));
+}
+
+std::string text(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
+
+}  // namespace
+
+std::unique_ptr<Context> makeOffscreenContext(Backend backend) {
+  auto context = backend == Backend::egl ? makeEglContext() : makeOsMesaContext();
+  context->makeCurrent();
+  return context;
+}
+
+void loadGl(GetProcAddress getProcAddress) {
+  const int version = gladLoadGL(getProcAddress);
+  if (version < GLAD_MAKE_VERSION(4, 5))
+    throw Error("the display driver does not offer OpenGL 4.5; a newer driver, or --gl osmesa, will do",
+                Error::Kind::system);
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(onMessage, nullptr);
+}
+
+std::string glInfo() { return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION); }
+
+int glErrorCount() { return errorCount; }
+
+std::string lastGlError() {
+  const std::lock_guard lock(lastErrorMutex);
+  return lastError;
+}
+
+}  // namespace sonoskin::gl

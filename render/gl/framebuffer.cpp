@@ -1,0 +1,61 @@
+#include "render/gl/framebuffer.h"
+
+#include <glad/gl.h>
+
+#include <cassert>
+
+namespace sonoskin::gl {
+
+Framebuffer::Framebuffer(const FramebufferDescription& description) : description_(description) {
+  const auto& d = description_;
+  unsigned fbo = 0;
+  glCreateFramebuffers(1, &fbo);
+  object_ = Object<Traits>(fbo);
+  const glm::ivec3 size(d.size, 0);
+  std::vector<GLenum> attachments;
+  for (const Format format : d.colours) {
+    colours_.emplace_back(
+        TextureDescription{.size = size, .format = format, .filter = d.filter, .samples = d.samples});
+    attachments.push_back(GL_COLOR_ATTACHMENT0 + GLenum(attachments.size()));
+    glNamedFramebufferTexture(fbo, attachments.back(), colours_.back().name(), 0);
+  }
+  glNamedFramebufferDrawBuffers(fbo, GLsizei(attachments.size()), attachments.data());
+  if (d.depth) {
+    depth_ = Texture({.size = size,
+                      .format = *d.depth,
+                      .filter = d.depthCompare ? Filter::linear : Filter::nearest,
+                      .samples = d.samples,
+                      .shadow = d.depthCompare});
+    glNamedFramebufferTexture(fbo, GL_DEPTH_ATTACHMENT, depth_.name(), 0);
+  }
+  assert(glCheckNamedFramebufferStatus(fbo, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+void Framebuffer::fit(glm::ivec2 size) {
+  if (size == description_.size) return;
+  auto description = description_;
+  description.size = size;
+  *this = Framebuffer(description);
+}
+
+void Framebuffer::bind() const { Target(*this).bind(); }
+
+void Framebuffer::clear(const glm::vec4& colour) const {
+  const float far = 1;
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  for (std::size_t i = 0; i < colours_.size(); ++i)
+    glClearNamedFramebufferfv(name(), GL_COLOR, GLint(i), &colour[0]);
+  if (depth_) glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &far);
+}
+
+void Framebuffer::Traits::destroy(unsigned name) { glDeleteFramebuffers(1, &name); }
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(corner.x, corner.y, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(corner.x, corner.y, size.x, size.y);
+}
+
+}  // namespace sonoskin::gl

@@ -1,0 +1,38 @@
+#include "render/gl/read_pixels.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+
+namespace sonoskin::gl {
+
+Image readImage(const Framebuffer& framebuffer) {
+  const glm::ivec2 size = framebuffer.size();
+  const std::size_t row = std::size_t(size.x) * 4;
+  std::vector<std::uint8_t> bottomUp(row * std::size_t(size.y));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(framebuffer.colour().name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(bottomUp.size()),
+                    bottomUp.data());
+  for (std::size_t alpha = 3; alpha < bottomUp.size(); alpha += 4) bottomUp[alpha] = 255;
+  Image image;
+  image.width = size.x;
+  image.height = size.y;
+  image.rgba.resize(bottomUp.size());
+  for (int y = 0; y < size.y; ++y)
+    std::copy_n(bottomUp.data() + row * std::size_t(size.y - 1 - y), row,
+                image.rgba.data() + row * std::size_t(y));
+  return image;
+}
+
+std::vector<float> readFloats(const Texture& texture, int components) {
+  const glm::ivec3 size = texture.size();
+  std::vector<float> values(std::size_t(size.x) * std::size_t(size.y) * std::size_t(components));
+  const bool depth = texture.description().format == Format::depth32f;
+  const GLenum external = depth ? GL_DEPTH_COMPONENT : components == 1 ? GL_RED : GL_RGBA;
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(texture.name(), 0, external, GL_FLOAT, GLsizei(values.size() * sizeof(float)),
+                    values.data());
+  return values;
+}
+
+}  // namespace sonoskin::gl

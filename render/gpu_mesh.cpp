@@ -1,0 +1,46 @@
+#include "render/gpu_mesh.h"
+
+#include <glad/gl.h>
+
+namespace sonoskin {
+namespace {
+
+std::vector<glm::vec3> normalsOf(const Mesh& mesh) {
+  Mesh copy;
+  copy.positions = mesh.positions;
+  copy.triangles = mesh.triangles;
+  computeNormals(copy);
+  return copy.normals;
+}
+
+}  // namespace
+
+void GpuMesh::set(std::shared_ptr<const Mesh> mesh) {
+  if (mesh == mesh_) return;
+  mesh_ = std::move(mesh);
+  box_ = {};
+  vertexArray_.reset();
+  if (empty()) return;
+  box_ = boundingBox(mesh_->positions);
+  positions_ = gl::Buffer(std::span<const glm::vec3>(mesh_->positions));
+  normals_ = mesh_->normals.empty() ? gl::Buffer(std::span<const glm::vec3>(normalsOf(*mesh_)))
+                                    : gl::Buffer(std::span<const glm::vec3>(mesh_->normals));
+  indices_ = gl::Buffer(std::span<const Triangle>(mesh_->triangles));
+  vertexArray_.emplace();
+  vertexArray_->attribute(0, 3, positions_);
+  vertexArray_->attribute(1, 3, normals_);
+  if (!mesh_->visibility.empty()) {
+    visibility_ = gl::Buffer(std::span<const float>(mesh_->visibility));
+    vertexArray_->attribute(2, 1, visibility_);
+  }
+  vertexArray_->indices(indices_);
+}
+
+void GpuMesh::draw() const {
+  if (empty()) return;
+  glBindVertexArray(vertexArray_->name());
+  glVertexAttrib1f(2, 1.0f);  // for meshes without visibility
+  glDrawElements(GL_TRIANGLES, GLsizei(mesh_->triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/camera.h"
+#include "render/finish.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/gpu_mesh.h"
+#include "render/lighting.h"
+
+namespace sonoskin {
+
+// MeshLook: what the surface is made of.
+enum class MeshLook { clay, skin };
+
+// MeshViewInput: what MeshView draws.
+//   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light)
+//   unseenShade    0 to 1: how far regions that the probe cannot have seen are greyed
+//   shadowSize     texels along the shadow map's side
+struct MeshViewInput {
+  const GpuMesh& mesh;
+  const Camera& camera;
+  Lighting lighting;
+  MeshLook look = MeshLook::clay;
+  int supersampling = 1;
+  float unseenShade = 0;
+  int shadowSize = 1024;
+};
+
+// MeshView: a lit surface with soft shadows of the key light and ambient occlusion, over a background.
+// Both sides of the surface are shown, the inner one darker.
+class MeshView {
+ public:
+  MeshView();
+
+  void draw(const MeshViewInput& input, const gl::Target& target);
+
+ private:
+  void drawShadowMap(const MeshViewInput& input);
+  void drawSamples(const MeshViewInput& input, const glm::mat4& projection);
+
+  gl::Program shadowProgram_, clayProgram_, skinProgram_;
+  gl::Framebuffer shadow_, samples_;
+  glm::mat4 shadowProjection_{1};
+  Finish finish_;
+};
+
+}  // namespace sonoskin
