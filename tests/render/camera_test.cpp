@@ -1,0 +1,109 @@
+#include "render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace sonoskin {
+namespace {
+
+const Box kBox{{-20, -30, -40}, {60, 10, 20}};
+
+void expectNear(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-4f) {
+  EXPECT_LT(glm::length(a - b), tolerance) << a.x << " " << a.y << " " << a.z;
+}
+
+glm::vec3 project(const Camera& camera, float aspect, const glm::vec3& p) {
+  const glm::vec4 clip = camera.projection(aspect, kBox) * camera.view() * glm::vec4(p, 1);
+  return glm::vec3(clip) / clip.w;
+}
+
+TEST(Camera, SeesTheWholeBoxAndFillsThePicture) {
+  for (const char* preset : {"probe", "front", "back", "left", "right", "top", "bottom", "portrait"})
+    for (const float aspect : {0.5f, 1.0f, 1.7f}) {
+      const Camera camera = parseCamera(preset, Beam{}, kBox, aspect);
+      float widest = 0;
+      for (int c = 0; c < 8; ++c) {
+        const glm::vec3 corner(c & 1 ? kBox.max.x : kBox.min.x, c & 2 ? kBox.max.y : kBox.min.y,
+                               c & 4 ? kBox.max.z : kBox.min.z);
+        const glm::vec3 p = project(camera, aspect, corner);
+        widest = std::max({widest, std::abs(p.x), std::abs(p.y)});
+        EXPECT_LE(std::abs(p.z), 1);
+      }
+      EXPECT_LT(widest, 1.0f) << preset;
+      EXPECT_GT(widest, 0.9f) << preset;
+    }
+}
+
+TEST(Camera, ProbeLooksAlongTheBeamWithItsUpUpward) {
+  Beam beam;
+  beam.axis = {0, 0, 1};
+  beam.up = {0, 1, 0};
+  const Camera camera = parseCamera("probe", beam, kBox, 1);
+  expectNear(camera.forward, {0, 0, 1});
+  expectNear(camera.up, {0, 1, 0});
+  expectNear(parseCamera("", beam, kBox, 1).forward, {0, 0, 1});
+}
+
+TEST(Camera, FrontSeesThePatientsLeftOnTheRight) {
+  const Camera camera = parseCamera("front", Beam{}, kBox, 1);
+  expectNear(camera.right(), {1, 0, 0});
+  EXPECT_LT(camera.eye().y, kBox.min.y);
+}
+
+TEST(Camera, AzimuthMovesTheEyeToTheRightAndElevationUp) {
+  const Camera front = parseCamera("front", Beam{}, kBox, 1);
+  const Camera right = parseCamera("front,azimuth=90", Beam{}, kBox, 1);
+  expectNear((right.eye() - right.target) / right.distance, front.right());
+  const Camera above = parseCamera("front,elevation=30", Beam{}, kBox, 1);
+  expectNear(above.forward, glm::vec3(0, std::sqrt(0.75f), -0.5f));
+  EXPECT_GT(above.up.z, 0);
+}
+
+TEST(Camera, RollTurnsThePictureClockwise) {
+  const Camera camera = parseCamera("front,roll=90", Beam{}, kBox, 1);
+  // What was on top (+z) is now on the right.
+  expectNear(camera.right(), {0, 0, 1});
+}
+
+TEST(Camera, OrbitThereAndBackIsTheIdentityAndKeepsTheFrameOrthonormal) {
+  Camera camera = parseCamera("probe,azimuth=20", Beam{}, kBox, 1);
+  const Camera before = camera;
+  camera.orbit(0.7f, 0);
+  camera.orbit(0, -0.4f);
+  EXPECT_NEAR(glm::length(camera.forward), 1, 1e-5);
+  EXPECT_NEAR(glm::dot(camera.forward, camera.up), 0, 1e-5);
+  camera.orbit(0, 0.4f);
+  camera.orbit(-0.7f, 0);
+  expectNear(camera.forward, before.forward);
+  expectNear(camera.up, before.up);
+}
+
+TEST(Camera, PanMovesThePictureByThatManyPixels) {
+  Camera camera = parseCamera("front", Beam{}, kBox, 1);
+  const glm::vec3 p = camera.target;
+  camera.pan({30, -20}, 400);
+  const glm::vec3 ndc = project(camera, 1, p);
+  EXPECT_NEAR(ndc.x * 200, 30, 0.01);
+  EXPECT_NEAR(ndc.y * 200, -20, 0.01);
+}
+
+TEST(Camera, RefusesWhatItDoesNotKnow) {
+  for (const char* text :
+       {"sideways", "azimuth", "azimuth=", "azimuth=3x", "zoom=0", "zoom=-1", "front,back"})
+    EXPECT_THROW(parseCamera(text, Beam{}, kBox, 1), Error) << text;
+}
+
+TEST(Camera, WorldBoxHoldsATurnedVolume) {
+  Geometry g;
+  g.dims = {11, 21, 31};
+  g.spacing = {1, 2, 0.5};
+  g.origin = {5, 6, 7};
+  g.direction = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  const Box box = worldBox(g);
+  expectNear(box.min, {-35, 6, 7});
+  expectNear(box.max, {5, 16, 22});
+}
+
+}  // namespace
+}  // namespace sonoskin
