@@ -15,9 +15,10 @@ std::atomic<int> errorCount{0};
 std::mutex lastErrorMutex;
 std::string lastError;
 
-void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+void GLAD_API_PTR onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                             const void*) {
-  if (type != GL_DEBUG_TYPE_ERROR) return;
+  // A shader that does not compile is told as an Error by Program.
+  if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
   ++errorCount;
   const std::lock_guard lock(lastErrorMutex);
   lastError.assign(text, std::size_t(length));
