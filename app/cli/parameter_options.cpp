@@ -1,0 +1,60 @@
+#include "app/cli/parameter_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/Error.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "app/parameter_text.h"
+#include "core/base/error.h"
+#include "core/pipeline/recipe.h"
+
+namespace sonoskin {
+namespace {
+
+std::string readText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  require(file.good(), "{}: cannot read this recipe", path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// "weight of the iso-value term [0.01 .. 4, default 1] (alpha)"
+std::string helpLine(const ParameterInfo& p) {
+  std::string facts = p.range;
+  if (!p.unit.empty()) facts += (facts.empty() ? "" : " ") + p.unit;
+  facts += (facts.empty() ? "default " : ", default ") + p.value;
+  return fmt::format("{} [{}]{}", p.help, facts, p.symbol.empty() ? "" : " (" + p.symbol + ")");
+}
+
+}  // namespace
+
+void ParameterOptions::addTo(CLI::App& command) {
+  command.add_option("--recipe", recipe_, "JSON file of parameters; the options below go on top of it")
+      ->type_name("FILE");
+  for (const ParameterInfo& parameter : describeParameters({})) addOne(command, "", parameter.name);
+}
+
+void ParameterOptions::addOne(CLI::App& command, const std::string& shortName, const std::string& name) {
+  for (const ParameterInfo& parameter : describeParameters({})) {
+    if (parameter.name != name) continue;
+    const std::string names = (shortName.empty() ? "" : "--" + shortName + ",") + "--" + name;
+    auto store = [this, name](const std::string& text) {
+      Parameters scratch;
+      setParameter(scratch, name, text);  // refuses bad text before any work
+      given_.emplace_back(name, text);
+    };
+    command.add_option_function<std::string>(names, store, helpLine(parameter))
+        ->type_name(parameter.kind)
+        ->group(parameter.group);
+  }
+}
+
+Parameters ParameterOptions::resolve() const {
+  Parameters parameters;
+  if (!recipe_.empty()) readRecipe(readText(recipe_), parameters);
+  for (const auto& [name, text] : given_) setParameter(parameters, name, text);
+  return parameters;
+}
+
+}  // namespace sonoskin

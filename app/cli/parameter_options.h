@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pipeline/parameters.h"
+
+namespace sonoskin {
+
+// ParameterOptions: --recipe and one option --group.field for every parameter, on a command. They are checked while
+// the command line is read; resolve() then applies the recipe first and the single options on top of it.
+// Must outlive the parsing.
+class ParameterOptions {
+ public:
+  void addTo(CLI::App& command);
+  // addOne: one parameter alone, under a short name too.
+  void addOne(CLI::App& command, const std::string& shortName, const std::string& name);
+
+  // resolve: the defaults, changed by the recipe, changed by the options.
+  //   errors  Error: the recipe cannot be read, or is not one
+  Parameters resolve() const;
+
+ private:
+  std::string recipe_;
+  std::vector<std::pair<std::string, std::string>> given_;  // name and text, in the order of the command line
+};
+
+}  // namespace sonoskin

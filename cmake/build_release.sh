@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# build_release.sh: installs what is missing and builds the release into build/release, the program included.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake/install_packages.sh
+
+# ccache, where somebody has it, makes the second build of a clone a matter of seconds.
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+echo "build: configuring"
+cmake --preset release --log-level=WARNING "${launcher[@]}" >/dev/null
+echo "build: compiling (some minutes the first time)"
+cmake --build --preset release --parallel "$(nproc)"
+echo "build: build/release/sonoskin is ready"

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""check_layers.py [ROOT]: which file may include which, as core/README.md draws it, and how long a file may be."""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__ + "/../../..").resolve()
+LAYERS = {"core": 0, "render": 1, "app": 2}
+# Inside core a folder may include itself and folders of a lower rank; equal ranks do not know each other.
+RANKS = {"base": 0, "volume": 1, "mesh": 2, "io": 3, "phantom": 3, "classification": 3, "surface": 3, "rbf": 4,
+         "skin": 4, "pipeline": 5}
+# Libraries and the one place that may see each.
+LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
+             (re.compile(r"glad/|GL/|EGL/"), re.compile(r"render/")),
+             (re.compile(r"imgui|GLFW/"), re.compile(r"app/"))]
+LONGEST = 400
+INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def faults(name, lines):
+    parts = name.split("/")
+    if len(lines) > LONGEST:
+        yield f"{name}: {len(lines)} lines, {LONGEST} at most: split it by subject"
+    for number, line in enumerate(lines, 1):
+        if not (match := INCLUDE.match(line)):
+            continue
+        target = match.group(1)
+        to = target.split("/")
+        where = f"{name}:{number}: {target}"
+        if to[0] in LAYERS and LAYERS[to[0]] > LAYERS[parts[0]]:
+            yield f"{where}: {parts[0]} must not know {to[0]}"
+        if parts[0] == to[0] == "core" and parts[1] != to[1]:
+            if RANKS.get(to[1], 99) >= RANKS.get(parts[1], -1):
+                yield f"{where}: core/{parts[1]} must not know core/{to[1]}"
+        for library, home in LIBRARIES:
+            if library.match(target) and not home.match(name):
+                yield f"{where}: only {home.pattern} may see this library"
+
+
+def main():
+    found = []
+    for layer in LAYERS:
+        for path in sorted((ROOT / layer).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                name = path.relative_to(ROOT).as_posix()
+                found += faults(name, path.read_text(encoding="utf-8").splitlines())
+    print("\n".join(found) or "layers: every include goes downward")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
