@@ -44,8 +44,7 @@ std::string kindOf(const std::array<double, 3>&) { return "X,Y,Z"; }
 
 // parse: the value of a text, or nothing where the text is not of the member's kind.
 template <class T>
-  requires std::is_arithmetic_v<T>
-std::optional<T> parse(std::string_view text, T) {
+requires std::is_arithmetic_v<T> std::optional<T> parse(std::string_view text, T) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -121,9 +120,10 @@ std::vector<ParameterInfo> describeParameters(const Parameters& parameters) {
   std::vector<ParameterInfo> list;
   forEachField(
       [&](const Group& group, const Field& field, const auto& member, const auto&... range) {
-        list.push_back({fmt::format("{}.{}", group.name, field.name), fmt::format("{}: {}", group.name, group.help),
-                        std::string(field.help), std::string(field.unit), std::string(field.symbol),
-                        kindOf(member), rangeText(range...), textOf(member)});
+        list.push_back({fmt::format("{}.{}", group.name, field.name),
+                        fmt::format("{}: {}", group.name, group.help), std::string(field.help),
+                        std::string(field.unit), std::string(field.symbol), kindOf(member),
+                        rangeText(range...), textOf(member)});
       },
       parameters);
   return list;

@@ -13,7 +13,7 @@ struct ParameterInfo {
   std::string name;   // "classification.alpha"
   std::string group;  // "classification: finding surfaces in the noise"
   std::string help, unit, symbol;
-  std::string kind;   // what a value looks like: "NUMBER", "INTEGER", "on|off", "NxNxN", "X,Y,Z", or the names
+  std::string kind;  // what a value looks like: "NUMBER", "INTEGER", "on|off", "NxNxN", "X,Y,Z", or the names
   std::string range;  // "0.01 .. 4"; empty for names and switches
   std::string value;  // as setParameter reads it
 };
@@ -22,7 +22,8 @@ struct ParameterInfo {
 std::vector<ParameterInfo> describeParameters(const Parameters& parameters);
 
 // setParameter: sets "group.field" from text: 12, 0.7, on, probe, 467x255x124, 1.5,-2,30.
-//   errors  Error (usage): an unknown name, text of the wrong kind, or a number out of range; the sentence names it
+//   errors  Error (usage): an unknown name, text of the wrong kind, or a number out of range; the sentence
+//   names it
 void setParameter(Parameters& parameters, std::string_view name, std::string_view text);
 
 }  // namespace sonoskin

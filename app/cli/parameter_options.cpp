@@ -29,9 +29,13 @@ std::string helpLine(const ParameterInfo& p) {
 
 }  // namespace
 
-void ParameterOptions::addTo(CLI::App& command) {
-  command.add_option("--recipe", recipe_, "JSON file of parameters; the options below go on top of it")
+void ParameterOptions::addRecipe(CLI::App& command) {
+  command.add_option("--recipe", recipe_, "JSON file of parameters; single options go on top of it")
       ->type_name("FILE");
+}
+
+void ParameterOptions::addTo(CLI::App& command) {
+  addRecipe(command);
   for (const ParameterInfo& parameter : describeParameters({})) addOne(command, "", parameter.name);
 }
 

@@ -9,12 +9,14 @@
 
 namespace sonoskin {
 
-// ParameterOptions: --recipe and one option --group.field for every parameter, on a command. They are checked while
-// the command line is read; resolve() then applies the recipe first and the single options on top of it.
-// Must outlive the parsing.
+// ParameterOptions: --recipe and one option --group.field for every parameter, on a command. They are checked
+// while the command line is read; resolve() then applies the recipe first and the single options on top of
+// it. Must outlive the parsing.
 class ParameterOptions {
  public:
   void addTo(CLI::App& command);
+  // addRecipe: --recipe alone.
+  void addRecipe(CLI::App& command);
   // addOne: one parameter alone, under a short name too.
   void addOne(CLI::App& command, const std::string& shortName, const std::string& name);
 

@@ -1,0 +1,104 @@
+#include "app/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/parameter_options.h"
+#include "app/window.h"
+#include "core/base/error.h"
+#include "core/base/version.h"
+
+namespace sonoskin {
+namespace {
+
+enum ExitStatus { kDone = 0, kOther = 1, kUsage = 2, kInput = 3, kCancelled = 4 };
+
+// fail: the one line on standard error that says what went wrong.
+int fail(ExitStatus status, std::string message) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "sonoskin: error: {}\n", message);
+  return status;
+}
+
+ExitStatus statusOf(Error::Kind kind) {
+  switch (kind) {
+    case Error::Kind::input:
+      return kInput;
+    case Error::Kind::usage:
+      return kUsage;
+    case Error::Kind::system:
+      break;
+  }
+  return kOther;
+}
+
+int runWindow(const std::string& file, const Parameters& parameters) {
+  if (file.empty()) return openWindow(std::nullopt, parameters);
+  if (!std::filesystem::exists(file)) {
+    return fail(kUsage,
+                fmt::format("there is no command and no file named \"{}\"; see sonoskin --help", file));
+  }
+  return openWindow(file, parameters);
+}
+
+int parseAndRun(int argc, char** argv) {
+  CLI::App program(
+      "Sonoskin makes a smooth surface and a picture of a face from noisy 3D ultrasound.\n"
+      "For research and keepsakes, not for diagnosis.\n"
+      "Without a command the window opens, on FILE or on a simulated scan.",
+      "sonoskin");
+  program.set_version_flag("--version", std::string("sonoskin ") + kVersion);
+  program.get_formatter()->column_width(46);
+  program.footer("Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cancelled, 1 anything else.");
+
+  std::string file;
+  ParameterOptions parameters;
+  program.add_option("FILE", file, "volume to open in the window")->type_name("");
+  parameters.addRecipe(program);
+
+  Console console;
+  const std::vector<Command> commands = {addPhantomCommand(program, console),
+                                         addInfoCommand(program, console),
+                                         addRecipeCommand(program, console)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // prints the help or the version
+    return fail(kUsage, error.what());
+  }
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    const Interrupt interrupt(console.sink());
+    command.run();
+    return kDone;
+  }
+  return runWindow(file, parameters.resolve());
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  try {
+    return parseAndRun(argc, argv);
+  } catch (const Cancelled&) {
+    return fail(kCancelled, "cancelled; nothing was written");
+  } catch (const Error& error) {
+    return fail(statusOf(error.kind()), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kOther, "not enough memory; a smaller volume or a lower --mesh.resolution needs less");
+  } catch (const std::exception& error) {
+    return fail(kOther, error.what());
+  }
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,34 @@
+#include "app/cli/console.h"
+
+#include <cstdio>
+
+#include "core/base/parallel.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+}  // namespace
+
+void Console::addJson(CLI::App& command) {
+  command.add_flag("--json", json_, "the result as one JSON object on standard output");
+}
+
+void Console::addThreads(CLI::App& command) {
+  command
+      .add_option_function<int>("--threads", setThreadCount,
+                                "threads to use; the machine's own number by default")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void Console::print(const std::string& json, const std::string& text) {
+  line_.finish();
+  const std::string& result = json_ ? json : text;
+  std::fwrite(result.data(), 1, result.size(), stdout);
+  if (!result.ends_with('\n')) std::fputc('\n', stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/input.h"
+#include "core/io/volume_reader.h"
+
+namespace sonoskin {
+namespace {
+
+nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+std::string infoJson(const std::string& name, const VolumeInfo& info) {
+  const Geometry& g = info.geometry;
+  nlohmann::ordered_json json;
+  json["file"] = name;
+  json["format"] = info.format;
+  json["dims"] = {g.dims.x, g.dims.y, g.dims.z};
+  json["spacing_mm"] = vectorJson(g.spacing);
+  json["spacing_known"] = info.spacingKnown;
+  json["origin_mm"] = vectorJson(g.origin);
+  json["direction"] = {vectorJson(g.direction[0]), vectorJson(g.direction[1]), vectorJson(g.direction[2])};
+  json["number_type"] = info.numberType;
+  json["components"] = info.components;
+  json["time_steps"] = info.timeSteps;
+  json["value_range"] = {info.valueMin, info.valueMax};
+  json["file_bytes"] = info.bytes;
+  if (info.beam) {
+    json["beam"]["axis"] = vectorJson(info.beam->axis);
+    json["beam"]["up"] = vectorJson(info.beam->up);
+    if (info.beam->apex) json["beam"]["apex_mm"] = vectorJson(*info.beam->apex);
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string infoText(const std::string& name, const VolumeInfo& info) {
+  const Geometry& g = info.geometry;
+  const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
+  std::string text = fmt::format("{}: {}, {:.1f} MB\n", name, info.format, double(info.bytes) * 1e-6);
+  text += fmt::format("  voxels     {} x {} x {}\n", g.dims.x, g.dims.y, g.dims.z);
+  text += fmt::format("  spacing    {:.4g} x {:.4g} x {:.4g} mm{}\n", g.spacing.x, g.spacing.y, g.spacing.z,
+                      info.spacingKnown ? "" : "  (assumed: the file gives none)");
+  text += fmt::format("  size       {:.1f} x {:.1f} x {:.1f} mm\n", size.x, size.y, size.z);
+  text += fmt::format("  origin     {:.4g}, {:.4g}, {:.4g} mm (LPS)\n", g.origin.x, g.origin.y, g.origin.z);
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3& d = g.direction[axis];
+    text += fmt::format("  axis {}     {:.4g}, {:.4g}, {:.4g}\n", "ijk"[axis], d.x, d.y, d.z);
+  }
+  text += fmt::format("  numbers    {} x {}, {:g} .. {:g}\n", info.components, info.numberType, info.valueMin,
+                      info.valueMax);
+  if (info.timeSteps > 1) text += fmt::format("  time       {} steps, the first is used\n", info.timeSteps);
+  text += fmt::format("  probe      {}\n", !info.beam        ? "the file does not say; see --scan.probeSide"
+                                           : info.beam->apex ? "beams from a point"
+                                                             : "parallel beams");
+  return text;
+}
+
+}  // namespace
+
+Command addInfoCommand(CLI::App& program, Console& console) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("info", "what is in a volume file, without patient data");
+  command->add_option("FILE", *file, "volume file, or a folder of DICOM files")->required()->type_name("");
+  console.addJson(*command);
+  return {command, [file, &console] {
+            const VolumeInfo info = readVolumeInfo(*file, console.progress());
+            const std::string name = inputName(*file);
+            console.print(infoJson(name, info), infoText(name, info));
+          }};
+}
+
+}  // namespace sonoskin

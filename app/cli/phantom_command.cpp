@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/output_file.h"
+#include "app/cli/parameter_options.h"
+#include "core/base/version.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/volume_writer.h"
+#include "core/phantom/phantom.h"
+
+namespace sonoskin {
+namespace {
+
+struct PhantomCommandOptions {
+  ParameterOptions parameters;
+  std::string out, truth;
+};
+
+void phantom(const PhantomCommandOptions& options, Console& console) {
+  checkOutputFile(options.out, volumeExtensions());
+  if (!options.truth.empty()) checkOutputFile(options.truth, meshExtensions());
+  const PhantomOptions phantom = options.parameters.resolve().phantom;
+  const double scanShare = options.truth.empty() ? 0.9 : 0.6;
+
+  console.beginStage("simulation");
+  const Scan scan = makePhantomScan(phantom, console.progress().part(0, scanShare));
+  Mesh truth;
+  if (!options.truth.empty()) {
+    console.beginStage("true skin");
+    truth = makePhantomTruth(phantom, console.progress().part(scanShare, 0.9));
+  }
+  console.beginStage("files");
+  if (!options.truth.empty()) writeMesh(options.truth, truth, console.progress().part(0.9, 0.93));
+  writeScan(options.out, scan, console.progress().part(0.93, 1));
+
+  const Geometry& g = scan.volume->geometry;
+  nlohmann::ordered_json json;
+  json["version"] = kVersion;
+  json["file"] = options.out;
+  if (!options.truth.empty()) json["truth"] = options.truth;
+  json["dims"] = {g.dims.x, g.dims.y, g.dims.z};
+  json["spacing_mm"] = {g.spacing.x, g.spacing.y, g.spacing.z};
+  json["snr_db"] = phantom.snr;
+  json["seed"] = phantom.seed;
+  json["key"] = scan.key.hex();
+  if (!options.truth.empty()) json["truth_triangles"] = truth.triangles.size();
+  console.print(json.dump(2),
+                fmt::format("{}: {} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm, {} dB, seed {}",
+                            options.out, g.dims.x, g.dims.y, g.dims.z, g.spacing.x, g.spacing.y, g.spacing.z,
+                            phantom.snr, phantom.seed));
+}
+
+}  // namespace
+
+Command addPhantomCommand(CLI::App& program, Console& console) {
+  auto options = std::make_shared<PhantomCommandOptions>();
+  CLI::App* command = program.add_subcommand("phantom", "simulate the scan of a sleeping newborn");
+  command->add_option("--out", options->out, "volume to write: .nrrd, .mha, .nii.gz, .vtk")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--truth", options->truth,
+                   "mesh of the true skin to write, with what the probe sees: .ply")
+      ->type_name("FILE");
+  options->parameters.addOne(*command, "dims", "phantom.dims");
+  options->parameters.addOne(*command, "snr", "phantom.snr");
+  options->parameters.addOne(*command, "seed", "phantom.seed");
+  options->parameters.addRecipe(*command);
+  console.addThreads(*command);
+  console.addJson(*command);
+  return {command, [options, &console] { phantom(*options, console); }};
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,61 @@
+#include "app/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/version.h"
+
+namespace sonoskin {
+
+std::string reportJson(const Report& report) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  for (const StageReport& stage : report.stages) {
+    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
+  }
+  nlohmann::ordered_json json;
+  json["version"] = kVersion;
+  json["input"] = report.input;
+  json["dims"] = report.dims;
+  json["spacing_mm"] = report.spacing;
+  json["spacing_known"] = report.spacingKnown;
+  json["iso_value"] = report.isoValue;
+  json["stages"] = stages;
+  json["points"] = report.points;
+  json["centres"] = report.centres;
+  json["pieces"] = report.pieces;
+  json["triangles"] = report.triangles;
+  json["area_mm2"] = report.area;
+  json["seconds"] = report.seconds;
+  json["peak_memory_bytes"] = report.peakMemory;
+  json["threads"] = report.threads;
+  json["gl"] = report.gl;
+  json["files"] = report.files;
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string reportText(const Report& report, const std::filesystem::path& folder) {
+  std::string text = fmt::format("{}: {} voxels of {:.3g} mm{}\n", report.input,
+                                 fmt::join(report.dims, " x "), fmt::join(report.spacing, " x "),
+                                 report.spacingKnown ? "" : " (assumed: the file gives no spacing)");
+  text += fmt::format("{} points, {} centres, {} pieces; the mesh has {} triangles and {:.1f} cm2\n",
+                      report.points, report.centres, report.pieces, report.triangles, report.area / 100);
+  for (const StageReport& stage : report.stages) {
+    text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
+                        double(stage.bytes) * 1e-6);
+  }
+  text += fmt::format("{:.1f} s on {} threads, {:.0f} MB of memory at most\n", report.seconds, report.threads,
+                      double(report.peakMemory) * 1e-6);
+  text += fmt::format("in {}: {}\n", folder.string(), fmt::join(report.files, ", "));
+  return text;
+}
+
+std::size_t peakMemoryBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/pipeline.h"
+
+namespace sonoskin {
+
+// Report: what a run did and what it cost. Holds nothing that identifies a patient or a person's folders.
+struct Report {
+  std::string input;  // file name without folders, or "phantom"
+  std::array<int, 3> dims{};
+  std::array<double, 3> spacing{};  // mm
+  bool spacingKnown = true;
+  double isoValue = 0;
+  std::vector<StageReport> stages;
+  std::size_t points = 0, centres = 0, pieces = 0, triangles = 0;
+  double area = 0;             // mm^2
+  double seconds = 0;          // wall time of everything
+  std::size_t peakMemory = 0;  // bytes
+  int threads = 0;
+  std::string gl;  // renderer and version of OpenGL
+  std::vector<std::string> files;
+};
+
+// reportJson: one JSON object, indented.
+std::string reportJson(const Report& report);
+
+// reportText: the same for people, a few lines.
+std::string reportText(const Report& report, const std::filesystem::path& folder);
+
+// peakMemoryBytes: the most memory that the process has had at once.
+std::size_t peakMemoryBytes();
+
+}  // namespace sonoskin
