@@ -42,7 +42,8 @@ TEST(Parallel, ReportsRisingFractions) {
   ProgressSink sink;
   sink.report = [&](double f) { seen.push_back(f); };
   setThreadCount(1);
-  parallelFor(10, [](std::ptrdiff_t) {}, Progress(sink).part(0.5, 1));
+  parallelFor(
+      10, [](std::ptrdiff_t) {}, Progress(sink).part(0.5, 1));
   setThreadCount(0);
   ASSERT_EQ(seen.size(), 10u);
   EXPECT_NEAR(seen.front(), 0.55, 1e-12);

@@ -1,0 +1,48 @@
+#include "core/classification/data_term.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+// A ramp has one gradient, so every inner voxel has a closed form.
+TEST(DataTerm, OfARampIsTheFormula) {
+  const Geometry g = test::grid({9, 9, 9}, {1, 2, 1});
+  const auto ramp = test::fill(g, [](glm::dvec3 p) { return 0.02 * p.x + 0.03 * p.y; });  // per mm
+  auto raw = ramp;
+  for (float& v : raw.data) v += 0.05f;
+  ClassificationOptions o;
+  o.alpha = 0.8;
+  o.gamma = 0.6;
+  o.isoValue = 0.3;
+  o.rawShare = 0.4;
+  o.noiseFloor = 0.02;
+  o.target = 0.9;
+  const DataTerm term = dataTerm(raw, ramp, o);
+  const double g2 = 0.02 * 0.02 + 0.03 * 0.03, low = 0.02 * 3 + 0.03 * 8 - 0.3, high = low + 0.05;
+  const double a = (0.4 * high * high + 0.6 * low * low + 0.0004) / (g2 + 1.5e-5);
+  const double h = 0.1 + 0.9 * std::sqrt(g2) / 0.1;
+  EXPECT_NEAR(term.diagonal[g.index(3, 4, 5)], 0.8 * a + 0.6 * h, 1e-4);
+  EXPECT_NEAR(term.right[g.index(3, 4, 5)], 0.6 * h * 0.9, 1e-6);
+}
+
+TEST(DataTerm, IsBoundedFarFromTheIsoValue) {
+  const Geometry g = test::grid({6, 6, 6});
+  ClassificationOptions o;
+  o.isoValue = 0.9;
+  const Volume<float> flat(g, 0.0f);
+  const DataTerm term = dataTerm(flat, flat, o);
+  EXPECT_NEAR(term.diagonal[g.index(3, 3, 3)], 256 + 0.1, 1e-3);  // alpha 16^2 + gamma delta
+}
+
+TEST(DataTerm, BetaFollowsTheTangentialLength) {
+  ClassificationOptions o;  // gamma 1, delta 0.1, gref 0.1: h at 0.06 is 0.1 + 0.9 * 0.6
+  EXPECT_NEAR(absoluteBeta(o), 9 * 0.64, 1e-12);
+  o.tangentialLength = 0;
+  EXPECT_EQ(absoluteBeta(o), 0);
+}
+
+}  // namespace
+}  // namespace sonoskin
