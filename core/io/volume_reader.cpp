@@ -25,7 +25,13 @@ bool startsWith(const std::vector<std::uint8_t>& bytes, std::string_view magic) 
 
 StoredVolume readHeader(const fs::path& path) {
   const std::vector<std::uint8_t> start = readBytes(path, 132);
+  const std::string extension = lowerExtension(path);
   if (startsWith(start, "NRRD")) return readNrrdHeader(path);
+  if (startsWith(start, "# vtk DataFile")) return readVtkHeader(path);
+  if (extension == ".mha" || extension == ".mhd") return readMetaHeader(path);
+  if (extension == ".nii" || extension == ".nii.gz") return readNiftiHeader(path);
+  require(!startsWith(start, "KRETZFILE"),
+          "{} is a GE Kretz file, which is not read yet; export it as NRRD with 3D Slicer.", path.string());
   throw Error(
       fmt::format("The format of {} is not known; use NRRD, MetaImage, NIfTI, VTK or DICOM.", path.string()));
 }

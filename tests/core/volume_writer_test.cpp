@@ -63,13 +63,13 @@ TEST_P(VolumeFormat, KeepsFloats) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, VolumeFormat, testing::Values(".nrrd"));
+INSTANTIATE_TEST_SUITE_P(All, VolumeFormat, testing::Values(".nrrd", ".mha", ".nii.gz", ".vtk"));
 
 TEST(WriteVolume, KeepsTheBeam) {
   const auto volume = filledVolume<float>(turnedGeometry());
   const Beam sector{glm::dvec3(1.5, -2.25, 0.1), glm::normalize(glm::dvec3(1, 2, 3))};
   const Beam parallel{{}, {0, 0, -1}};
-  for (const char* name : {"a.nrrd"}) {
+  for (const char* name : {"a.nrrd", "a.mha"}) {
     const TempFolder folder;
     writeVolume(folder / name, volume, sector);
     Scan scan = readScan(folder / name);
