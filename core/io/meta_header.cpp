@@ -45,39 +45,40 @@ bool isTrue(std::string_view text) { return text == "1" || text.starts_with('T')
 std::optional<NumberType> typeOf(std::string_view name) {
   if (name.ends_with("_ARRAY")) name.remove_suffix(6);
   static const std::map<std::string_view, NumberType> types{
-      {"MET_CHAR", NumberType::int8},        {"MET_UCHAR", NumberType::uint8},
-      {"MET_SHORT", NumberType::int16},      {"MET_USHORT", NumberType::uint16},
-      {"MET_INT", NumberType::int32},        {"MET_UINT", NumberType::uint32},
-      {"MET_LONG", NumberType::int32},       {"MET_ULONG", NumberType::uint32},
-      {"MET_LONG_LONG", NumberType::int64},  {"MET_ULONG_LONG", NumberType::uint64},
-      {"MET_FLOAT", NumberType::float32},    {"MET_DOUBLE", NumberType::float64}};
+      {"MET_CHAR", NumberType::int8},       {"MET_UCHAR", NumberType::uint8},
+      {"MET_SHORT", NumberType::int16},     {"MET_USHORT", NumberType::uint16},
+      {"MET_INT", NumberType::int32},       {"MET_UINT", NumberType::uint32},
+      {"MET_LONG", NumberType::int32},      {"MET_ULONG", NumberType::uint32},
+      {"MET_LONG_LONG", NumberType::int64}, {"MET_ULONG_LONG", NumberType::uint64},
+      {"MET_FLOAT", NumberType::float32},   {"MET_DOUBLE", NumberType::float64}};
   const auto found = types.find(name);
   if (found == types.end()) return {};
   return found->second;
 }
 
 // The numbers of a field; nothing if it is missing.
-std::vector<double> numbers(std::string_view text, std::size_t count, std::string_view what, const fs::path& path) {
+std::vector<double> numbers(std::string_view text, std::size_t count, std::string_view what,
+                            const fs::path& path) {
   if (text.empty()) return {};
   const auto found = parseNumbers<double>(text);
-  require(found && found->size() == count, "The {} in {} is not {} numbers; get a fresh copy.", what, path.string(),
-          count);
+  require(found && found->size() == count, "The {} in {} is not {} numbers; get a fresh copy.", what,
+          path.string(), count);
   return *found;
 }
 
 void readSizes(const Meta& meta, std::size_t dimensions, const fs::path& path, StoredVolume& stored) {
   const auto sizes = parseNumbers<std::int64_t>(value(meta, {"DimSize"}));
-  require(sizes && sizes->size() == dimensions, "The DimSize in {} is not {} numbers; get a fresh copy.", path.string(),
-          dimensions);
+  require(sizes && sizes->size() == dimensions, "The DimSize in {} is not {} numbers; get a fresh copy.",
+          path.string(), dimensions);
   for (const std::int64_t size : *sizes)
-    require(size >= 1 && size <= 65535, "{} says that it has {} voxels along one axis; 2 to 65535 are possible.",
-            path.string(), size);
+    require(size >= 1 && size <= 65535,
+            "{} says that it has {} voxels along one axis; 2 to 65535 are possible.", path.string(), size);
   for (int a = 0; a < 3; ++a) stored.geometry.dims[a] = int((*sizes)[std::size_t(a)]);
   if (dimensions == 4) stored.timeSteps = int((*sizes)[3]);
   const auto channels = value(meta, {"ElementNumberOfChannels"});
   const auto count = parseNumber<int>(channels.empty() ? "1" : channels);
-  require(count && *count >= 1 && *count <= 65535, "{} does not say how many numbers a voxel has; get a fresh copy.",
-          path.string());
+  require(count && *count >= 1 && *count <= 65535,
+          "{} does not say how many numbers a voxel has; get a fresh copy.", path.string());
   stored.components = *count;
 }
 
@@ -85,7 +86,8 @@ void readPlace(const Meta& meta, std::size_t n, const fs::path& path, StoredVolu
   Geometry& g = stored.geometry;
   const auto spacing = numbers(value(meta, {"ElementSpacing", "ElementSize"}), n, "spacing", path);
   const auto origin = numbers(value(meta, {"Offset", "Position", "Origin"}), n, "origin", path);
-  const auto matrix = numbers(value(meta, {"TransformMatrix", "Orientation", "Rotation"}), n * n, "matrix", path);
+  const auto matrix =
+      numbers(value(meta, {"TransformMatrix", "Orientation", "Rotation"}), n * n, "matrix", path);
   stored.spacingKnown = !spacing.empty();
   for (std::size_t a = 0; a < 3; ++a) {
     if (!spacing.empty()) g.spacing[int(a)] = spacing[a];
@@ -117,7 +119,8 @@ void placeData(const Meta& meta, const fs::path& path, StoredVolume& stored) {
   const std::uintmax_t size = fileSize(stored.dataFile);
   const std::uintmax_t voxels = stored.geometry.voxels() * std::uintmax_t(stored.timeSteps);
   const std::uintmax_t all = voxels * std::uintmax_t(stored.components) * numberTypeBytes(stored.type);
-  require(stored.encoding == Encoding::raw, "{} has a HeaderSize of -1 but is not raw; save it again.", path.string());
+  require(stored.encoding == Encoding::raw, "{} has a HeaderSize of -1 but is not raw; save it again.",
+          path.string());
   stored.fileOffset = all < size ? size - all : 0;
 }
 
@@ -130,13 +133,13 @@ StoredVolume readMetaHeader(const fs::path& path) {
   const auto dimensions = parseNumber<int>(value(meta, {"NDims"}));
   require(dimensions && *dimensions >= 1 && *dimensions <= 10,
           "{} does not say how many dimensions it has; get a fresh copy.", path.string());
-  require(*dimensions == 3 || *dimensions == 4, "{} has {} dimensions; a volume has 3, or 4 with time.", path.string(),
-          *dimensions);
+  require(*dimensions == 3 || *dimensions == 4, "{} has {} dimensions; a volume has 3, or 4 with time.",
+          path.string(), *dimensions);
   StoredVolume stored;
   stored.format = "MetaImage";
   const std::string_view type = value(meta, {"ElementType"});
-  require(typeOf(type).has_value(), "{} has numbers of the type \"{}\", which is not known here.", path.string(),
-          type.substr(0, 20));
+  require(typeOf(type).has_value(), "{} has numbers of the type \"{}\", which is not known here.",
+          path.string(), type.substr(0, 20));
   stored.type = *typeOf(type);
   readSizes(meta, std::size_t(*dimensions), path, stored);
   readPlace(meta, std::size_t(*dimensions), path, stored);

@@ -41,31 +41,45 @@ class Header {
 
 std::optional<std::pair<NumberType, int>> typeOf(int code) {
   switch (code) {
-    case 2: return {{NumberType::uint8, 1}};
-    case 4: return {{NumberType::int16, 1}};
-    case 8: return {{NumberType::int32, 1}};
-    case 16: return {{NumberType::float32, 1}};
-    case 64: return {{NumberType::float64, 1}};
-    case 128: return {{NumberType::uint8, 3}};
-    case 256: return {{NumberType::int8, 1}};
-    case 512: return {{NumberType::uint16, 1}};
-    case 768: return {{NumberType::uint32, 1}};
-    case 1024: return {{NumberType::int64, 1}};
-    case 1280: return {{NumberType::uint64, 1}};
-    case 2304: return {{NumberType::uint8, 4}};
-    default: return {};
+    case 2:
+      return {{NumberType::uint8, 1}};
+    case 4:
+      return {{NumberType::int16, 1}};
+    case 8:
+      return {{NumberType::int32, 1}};
+    case 16:
+      return {{NumberType::float32, 1}};
+    case 64:
+      return {{NumberType::float64, 1}};
+    case 128:
+      return {{NumberType::uint8, 3}};
+    case 256:
+      return {{NumberType::int8, 1}};
+    case 512:
+      return {{NumberType::uint16, 1}};
+    case 768:
+      return {{NumberType::uint32, 1}};
+    case 1024:
+      return {{NumberType::int64, 1}};
+    case 1280:
+      return {{NumberType::uint64, 1}};
+    case 2304:
+      return {{NumberType::uint8, 4}};
+    default:
+      return {};
   }
 }
 
 void readSizes(const Header& header, const fs::path& path, StoredVolume& stored) {
   const std::int64_t dimensions = header.dim(0);
-  require(dimensions >= 3 && dimensions <= 7, "{} has {} dimensions; a volume has 3, or 4 with time.", path.string(),
-          dimensions);
+  require(dimensions >= 3 && dimensions <= 7, "{} has {} dimensions; a volume has 3, or 4 with time.",
+          path.string(), dimensions);
   for (int n = 1; n <= dimensions; ++n)
     require(header.dim(n) >= 1, "{} says that it has {} voxels along one axis; 2 to 65535 are possible.",
             path.string(), header.dim(n));
   for (int n = 5; n <= dimensions; ++n)
-    require(header.dim(n) == 1, "{} has more than one number per voxel, which is not known here.", path.string());
+    require(header.dim(n) == 1, "{} has more than one number per voxel, which is not known here.",
+            path.string());
   for (int a = 0; a < 3; ++a) stored.geometry.dims[a] = int(header.dim(a + 1));
   if (dimensions >= 4) stored.timeSteps = int(header.dim(4));
   const int code = header.get<std::int16_t>(70);
@@ -77,7 +91,7 @@ void readSizes(const Header& header, const fs::path& path, StoredVolume& stored)
 // The rotation of the unit quaternion (a, b, c, d) with a >= 0; method 2 of the standard.
 glm::dmat3 rotation(double b, double c, double d) {
   const double a = std::sqrt(std::max(0.0, 1 - b * b - c * c - d * d));
-  return glm::transpose(glm::dmat3(  // written row by row
+  return glm::transpose(glm::dmat3(                                             // written row by row
       a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c),  //
       2 * (b * c + a * d), a * a + c * c - b * b - d * d, 2 * (c * d - a * b),  //
       2 * (b * d - a * c), 2 * (c * d + a * b), a * a + d * d - b * b - c * c));
@@ -90,7 +104,8 @@ void toLps(Geometry& g) {
   for (int a = 0; a < 3; ++a) g.direction[a] *= flip;
 }
 
-// qform where the file has one: it cannot shear and is what a scanner writes; else sform; else the axes as they are.
+// qform where the file has one: it cannot shear and is what a scanner writes; else sform; else the axes as
+// they are.
 void readPlace(const Header& header, StoredVolume& stored) {
   Geometry& g = stored.geometry;
   stored.spacingKnown = header.pixdim(1) != 0 && header.pixdim(2) != 0 && header.pixdim(3) != 0;
@@ -135,7 +150,8 @@ StoredVolume readNiftiHeader(const fs::path& path) {
   readSizes(header, path, stored);
   readPlace(header, stored);
   const double offset = header.real(108);
-  require(offset >= 348 && offset < 1e9, "{} does not say where its voxels begin; get a fresh copy.", path.string());
+  require(offset >= 348 && offset < 1e9, "{} does not say where its voxels begin; get a fresh copy.",
+          path.string());
   stored.encoding = packed ? Encoding::deflate : Encoding::raw;
   (packed ? stored.streamOffset : stored.fileOffset) = std::uintmax_t(offset);
   const double slope = header.real(112), intercept = header.real(116);

@@ -197,7 +197,7 @@ void swapBytes(std::vector<std::uint8_t>& bytes, std::size_t size) {
 std::string_view numberTypeName(NumberType type) { return kTypes[std::size_t(type)].name; }
 std::size_t numberTypeBytes(NumberType type) { return kTypes[std::size_t(type)].bytes; }
 
-void checkStored(StoredVolume& stored, const fs::path& path) {
+void checkGeometry(StoredVolume& stored, const fs::path& path) {
   Geometry& g = stored.geometry;
   checkDims(g.dims, path);
   require(finite(g.spacing) && g.spacing.x > 0 && g.spacing.y > 0 && g.spacing.z > 0,
@@ -213,6 +213,10 @@ void checkStored(StoredVolume& stored, const fs::path& path) {
   require(stored.components == 1 || stored.components == 3 || stored.components == 4 || stored.timeIsFastest,
           "{} has {} numbers per voxel; a volume has one, or three or four of colour.", path.string(),
           stored.components);
+}
+
+void checkStored(StoredVolume& stored, const fs::path& path) {
+  checkGeometry(stored, path);
   checkBytes(stored, path);
 }
 

@@ -51,12 +51,15 @@ StoredVolume readMetaHeader(const std::filesystem::path& path);
 StoredVolume readNiftiHeader(const std::filesystem::path& path);
 StoredVolume readVtkHeader(const std::filesystem::path& path);
 
-// checkStored: refuses what cannot be a volume of three dimensions, or cannot be in the file.
+// checkGeometry: refuses what cannot be a volume of three dimensions.
 //   errors  Error: fewer than 2 or more than 65535 voxels along an axis, more than 2^31 voxels; spacing,
 //   origin or
 //           direction not finite, spacing not positive, axes not at right angles; several numbers per voxel
-//           that are neither colour nor time; the file has fewer bytes than the header declares
+//           that are neither colour nor time
 // The direction is made exactly orthonormal.
+void checkGeometry(StoredVolume& stored, const std::filesystem::path& path);
+
+// checkStored: checkGeometry, and refuses a file that has fewer bytes than its header declares.
 void checkStored(StoredVolume& stored, const std::filesystem::path& path);
 
 // readNumbers: the numbers of the first time step, in this machine's byte order.

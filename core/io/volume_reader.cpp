@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/normalise.h"
 #include "core/io/stored_volume.h"
@@ -38,6 +39,11 @@ StoredVolume readHeader(const fs::path& path) {
 
 Loaded load(const fs::path& path, const Progress& progress) {
   Loaded loaded;
+  if (fs::is_directory(path) || isDicom(path)) {
+    StoredSeries series = readDicomSeries(path, progress);
+    checkGeometry(series.stored, path);
+    return {std::move(series.stored), std::move(series.numbers), series.bytes};
+  }
   loaded.stored = readHeader(path);
   checkStored(loaded.stored, path);
   loaded.bytes = fileSize(path) + (loaded.stored.dataFile == path ? 0 : fileSize(loaded.stored.dataFile));

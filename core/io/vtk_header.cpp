@@ -10,12 +10,12 @@ namespace {
 
 std::optional<NumberType> typeOf(std::string_view name) {
   static const std::map<std::string_view, NumberType> types{
-      {"char", NumberType::int8},           {"unsigned_char", NumberType::uint8},
-      {"short", NumberType::int16},         {"unsigned_short", NumberType::uint16},
-      {"int", NumberType::int32},           {"unsigned_int", NumberType::uint32},
-      {"long", NumberType::int64},          {"unsigned_long", NumberType::uint64},
-      {"float", NumberType::float32},       {"double", NumberType::float64},
-      {"vtktypeint64", NumberType::int64},  {"vtktypeuint64", NumberType::uint64}};
+      {"char", NumberType::int8},          {"unsigned_char", NumberType::uint8},
+      {"short", NumberType::int16},        {"unsigned_short", NumberType::uint16},
+      {"int", NumberType::int32},          {"unsigned_int", NumberType::uint32},
+      {"long", NumberType::int64},         {"unsigned_long", NumberType::uint64},
+      {"float", NumberType::float32},      {"double", NumberType::float64},
+      {"vtktypeint64", NumberType::int64}, {"vtktypeuint64", NumberType::uint64}};
   const auto found = types.find(name);
   if (found == types.end()) return {};
   return found->second;
@@ -26,8 +26,8 @@ glm::dvec3 three(const std::vector<std::string_view>& line, const fs::path& path
   glm::dvec3 v(0);
   for (std::size_t a = 0; a < 3; ++a) {
     const auto number = line.size() == 4 ? parseNumber<double>(line[a + 1]) : std::nullopt;
-    require(number.has_value(), "The line {} in {} is not three numbers; get a fresh copy.", line[0].substr(0, 20),
-            path.string());
+    require(number.has_value(), "The line {} in {} is not three numbers; get a fresh copy.",
+            line[0].substr(0, 20), path.string());
     v[int(a)] = *number;
   }
   return v;
@@ -53,8 +53,9 @@ bool readLine(const std::vector<std::string_view>& line, const fs::path& path, S
   } else if (keyword == "dimensions") {
     const glm::dvec3 dims = three(line, path);
     for (int a = 0; a < 3; ++a) {
-      require(dims[a] >= 1 && dims[a] <= 65535, "{} says that it has {} voxels along one axis; 2 to 65535 are possible.",
-              path.string(), dims[a]);
+      require(dims[a] >= 1 && dims[a] <= 65535,
+              "{} says that it has {} voxels along one axis; 2 to 65535 are possible.", path.string(),
+              dims[a]);
       g.dims[a] = int(dims[a]);
     }
   } else if (keyword == "origin") {
