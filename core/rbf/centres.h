@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/rbf/csrbf_model.h"
+#include "core/rbf/sorted_points.h"
+#include "core/rbf/support_size.h"
+
+namespace sonoskin {
+
+// supportRule: the limits of supports for these points: σ_min = 1.5 h, σ_max = maxSupport L.
+SupportRule supportRule(const SortedPoints& points, const ReconstructionOptions& options);
+
+// selectCentres: covers the points with supports until their overlap o_i = Σ_c φ((p_i - c)/σ_c) is at least
+// options.overlap at every point.
+//   method   thresholds of 1/10, 2/10, ... of the overlap in turn; points below the threshold, in a fixed
+//   random
+//            order, are fitted in batches of 64 in parallel and accepted one by one if they still lie below.
+//            Comes within 2 % of always taking the point of least overlap.           [Ohtake et al. 2004;
+//            order and batches ours]
+//   cost     113k points: 0.1 to 0.3 s on one core
+//   threads  the result does not depend on their number
+//   errors   Cancelled
+std::vector<Centre> selectCentres(const SortedPoints& points, const ReconstructionOptions& options,
+                                  const Progress& progress = {});
+
+}  // namespace sonoskin

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/rbf/centre_index.h"
+#include "core/rbf/reconstruction_options.h"
+#include "core/surface/surface_points.h"
+
+namespace sonoskin {
+
+// CsrbfModel: the implicit function of a surface; world mm.
+//   S(x) = Σ_c (g_c(x) + λ_c) φ_c(x) / Σ_c φ_c(x)              [Ohtake et al. 2006, normalised; thesis 3.9 is
+//   not]
+// S is close to the signed distance from the surface: > 0 outside (on the side of the normals), < 0 inside,
+// and undefined outside all supports.
+class CsrbfModel {
+ public:
+  CsrbfModel() = default;
+  explicit CsrbfModel(std::vector<Centre> centres);
+
+  // Sample: S in mm (NaN outside all supports) and the coverage Σφ, which says how well it is supported.
+  struct Sample {
+    float value, coverage;
+  };
+  Sample sample(const glm::vec3& x) const;
+
+  // gradient: ∇S; close to a unit vector near the surface, zero outside all supports.
+  glm::vec3 gradient(const glm::vec3& x) const;
+
+  const std::vector<Centre>& centres() const { return index_.centres(); }
+  std::size_t bytes() const { return index_.bytes(); }
+
+ private:
+  CentreIndex index_;
+};
+
+// fitCsrbf: an implicit function through oriented points.
+//   points     at least 12; unit normals on one side of the surface; confidence > 0
+//   solves     a quadric and a support per centre, then, if options.fitWeights, the weights λ
+//   cost       O(N); 113k points: 0.25 s on two cores; about 60 bytes per point
+//   errors     Error: the points span no surface (see sortPoints); Cancelled
+//   threads    the result does not depend on their number
+CsrbfModel fitCsrbf(const SurfacePoints& points, const ReconstructionOptions& options,
+                    const Progress& progress = {});
+
+}  // namespace sonoskin

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/rbf/local_quadric.h"
+#include "core/rbf/sorted_points.h"
+
+namespace sonoskin {
+
+// Neighbourhood: the points around one centre, gathered once for fits with many supports. Scratch memory of
+// one thread: keep it from centre to centre.
+//   threads   one object per thread
+class Neighbourhood {
+ public:
+  // gather: takes the points closer than `radius` to point `centre`.
+  void gather(const SortedPoints& points, std::size_t centre, float radius);
+
+  std::size_t size() const { return count_; }
+
+  // meanNormal: n_c = normalise(Σ_j w_j n_j [n_j·n_i > 0]), w_j = d_j φ(r_j/σ); the centre's own where the
+  // sum vanishes.                                                    [thesis 3.15, normalised, gated by
+  // Ohtake et al.]
+  glm::vec3 meanNormal(float sigma) const;
+
+  // project: turns the points into the frame, ordered so that those closer than smallest * 2^(k/2) come
+  // first, for every k.
+  void project(const Frame& frame, float smallest);
+
+  // within: after project(), the points closer than sigma, and perhaps some up to sqrt(2) times as far.
+  LocalSamples within(float sigma) const;
+
+  // countWithin: how many points are closer than sigma.
+  std::size_t countWithin(float sigma) const;
+
+  // forEachWithin: calls f(sorted point, distance) for the points closer than sigma.
+  template <class F>
+  void forEachWithin(float sigma, F&& f) const {
+    for (std::size_t j = 0; j < count_; ++j)
+      if (squared_[j] < sigma * sigma) f(index_[j], std::sqrt(squared_[j]));
+  }
+
+ private:
+  static constexpr std::size_t kLevels = 48;
+
+  void reserve(std::size_t count);
+  void copyAttributes(const SortedPoints& points);
+
+  std::size_t count_ = 0;
+  glm::vec3 ownNormal_{0, 0, 1};
+  std::vector<std::uint32_t> index_;                 // sorted point
+  std::vector<float> dx_, dy_, dz_, squared_;        // relative to the centre, and squared distance
+  std::vector<float> nx_, ny_, nz_, d_;              // normal and influence
+  std::vector<float> u_, v_, w_, r_, levelD_;        // in the frame, by level
+  std::vector<std::uint8_t> level_;                  // k: smallest 2^((k-1)/2) <= r < smallest 2^(k/2)
+  std::array<std::size_t, kLevels + 1> levelEnd_{};  // points of levels up to k
+  float smallest_ = 1;
+};
+
+}  // namespace sonoskin

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/rbf/point_grid.h"
+#include "core/rbf/reconstruction_options.h"
+#include "core/surface/surface_points.h"
+
+namespace sonoskin {
+
+// SortedPoints: surface points made ready for the fit: sorted by cell, one array per component for vector
+// code.
+struct SortedPoints {
+  PointGrid grid;
+  std::vector<float> x, y, z;     // mm
+  std::vector<float> nx, ny, nz;  // unit, outward
+  std::vector<float> influence;   // d_i > 0; its scale cancels everywhere
+  double diagonal = 0;            // L: of the points' box, mm
+  double spacing = 0;             // h: 1/sqrt(density), mm
+
+  std::size_t size() const { return x.size(); }
+  glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+// sortPoints: checks the points, sorts them and measures their density.
+//   errors   Error: fewer than 12 points, a number that is not finite, a missing normal, a confidence <= 0,
+//   all
+//            points on one line; Cancelled
+SortedPoints sortPoints(const SurfacePoints& points, const ReconstructionOptions& options,
+                        const Progress& progress = {});
+
+// kMinPointsInSupport: a quadric has 6 unknowns; with fewer than twice as many points its residual says
+// nothing.
+constexpr std::size_t kMinPointsInSupport = 12;
+
+}  // namespace sonoskin

@@ -1,0 +1,107 @@
+#include "core/rbf/support_size.h"
+
+#include <cmath>
+
+namespace sonoskin {
+namespace {
+
+constexpr double kGrowth = 1.6;         // of the gather radius until the minimum is seen
+constexpr double kHintMargin = 1.45;    // gather radius / support of the centre that covers the point
+constexpr double kNormalShare = 0.6;    // of the gather radius, for the frame of the search
+constexpr double kSmallestStep = 0.03;  // of ln σ
+constexpr double kPointStep = 1.2;      // of σ until the support holds enough points
+
+struct Sample {
+  double sigma = 0, error = 0;
+};
+
+// The minimum of the parabola through three samples in ln σ, or nothing if it has none between them.
+std::optional<double> parabolaMinimum(const Sample& a, const Sample& b, const Sample& c) {
+  const double x0 = std::log(a.sigma), x1 = std::log(b.sigma), x2 = std::log(c.sigma);
+  const double slope01 = (b.error - a.error) / (x1 - x0), slope12 = (c.error - b.error) / (x2 - x1);
+  const double curvature = (slope12 - slope01) / (x2 - x0);
+  if (!(curvature > 0)) return std::nullopt;
+  const double x = 0.5 * (x0 + x1) - slope01 / (2 * curvature);
+  if (!(x > x0 && x < x2) || std::abs(x - x1) < kSmallestStep) return std::nullopt;
+  return std::exp(x);
+}
+
+// Narrows the bracket low, middle, high (error smallest in the middle) by two parabola steps.
+template <class ErrorAt>
+double refine(Sample low, Sample middle, Sample high, const ErrorAt& error) {
+  for (int step = 0; step < 2; ++step) {
+    const std::optional<double> sigma = parabolaMinimum(low, middle, high);
+    if (!sigma) break;
+    const std::optional<double> value = error(*sigma);
+    if (!value) break;
+    const Sample tried{*sigma, *value};
+    const bool above = tried.sigma > middle.sigma;
+    if (tried.error < middle.error) {
+      (above ? low : high) = middle;
+      middle = tried;
+    } else {
+      (above ? high : low) = tried;
+    }
+  }
+  return middle.sigma;
+}
+
+}  // namespace
+
+std::optional<double> firstMinimum(const std::function<std::optional<double>(double)>& error, double smallest,
+                                   double reach, double largest) {
+  std::optional<Sample> before, last;
+  bool isEnd = false;
+  for (int k = 0; !isEnd; ++k) {
+    double sigma = smallest * std::exp2(0.5 * k);
+    if (sigma > 0.97 * reach) {  // a level that all but coincides with the end is replaced by it
+      if (reach < largest && sigma > reach) return std::nullopt;
+      sigma = reach;
+      isEnd = true;
+    }
+    const std::optional<double> value = error(sigma);
+    if (!value) continue;
+    const Sample now{sigma, *value};
+    if (last && now.error >= last->error) return before ? refine(*before, *last, now, error) : last->sigma;
+    before = last;
+    last = now;
+  }
+  return last && reach >= largest ? std::optional(last->sigma) : std::nullopt;
+}
+
+namespace {
+
+// Projects the gathered points for the search of a support of up to `radius`.
+std::optional<double> searchSupport(Neighbourhood& scratch, double radius, const SupportRule& rule) {
+  scratch.project(frameAround(scratch.meanNormal(float(kNormalShare * radius))), float(rule.smallest));
+  const auto error = [&](double sigma) -> std::optional<double> {
+    if (scratch.countWithin(float(sigma)) < kMinPointsInSupport) return std::nullopt;
+    return rule.error(fitQuadric(scratch.within(float(sigma)), sigma).meanSquare, sigma);
+  };
+  return firstMinimum(error, rule.smallest, radius, rule.largest);
+}
+
+}  // namespace
+
+FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const SupportRule& rule, double hint,
+                       Neighbourhood& scratch) {
+  double radius = hint > 0 ? std::max(kHintMargin * hint, 2 * rule.smallest) : 4 * rule.smallest;
+  radius = std::min(radius, rule.largest);
+  std::optional<double> sigma;
+  for (;;) {
+    scratch.gather(points, centre, float(radius));
+    if (scratch.size() >= kMinPointsInSupport) sigma = searchSupport(scratch, radius, rule);
+    if (sigma) break;
+    // Beyond the largest support only where the points are so sparse that it holds too few of them.
+    radius = radius < rule.largest ? std::min(kGrowth * radius, rule.largest) : kPointStep * radius;
+  }
+  while (scratch.countWithin(float(*sigma)) < kMinPointsInSupport)
+    *sigma = std::min(kPointStep * *sigma, radius);
+
+  FittedCentre result{std::uint32_t(centre), *sigma, frameAround(scratch.meanNormal(float(*sigma))), {}};
+  scratch.project(result.frame, float(rule.smallest));
+  result.fit = fitQuadric(scratch.within(float(*sigma)), *sigma);
+  return result;
+}
+
+}  // namespace sonoskin
