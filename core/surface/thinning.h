@@ -29,7 +29,7 @@ struct ScanFrame {
 //   keeps       u(x) > u(x - d) and u(x) >= u(x + d), or the other way round, u >= threshold; d = n as a step
 //   of
 //               at most one voxel along each axis; trilinear
-//   sub-voxel   parabola through the three values, at most half a step
+//   sub-voxel   parabola through the three values of 1/u, at most half a step
 //   facing      keeps dark to bright along the beam: grad v~ . beam > facing |grad v~|
 //   border      keeps what is at least borderMargin smallest spacings inside the field of view
 //   output      in the order of the voxels

@@ -1,0 +1,121 @@
+#include "core/pipeline/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/pipeline/check_ranges.h"
+#include "core/pipeline/parameter_key.h"
+
+namespace sonoskin {
+namespace {
+
+std::string complaint(const std::string& json) {
+  Parameters parameters;
+  try {
+    readRecipe(json, parameters);
+  } catch (const Error& e) {
+    EXPECT_EQ(writeRecipe(parameters), writeRecipe(Parameters{})) << "a refused recipe changed something";
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Recipe, RoundTripIsIdentical) {
+  Parameters parameters;
+  parameters.classification.alpha = 0.7000000000000001;
+  parameters.phantom.dims = {33, 44, 55};
+  parameters.mesh.piece = PieceChoice::point;
+  parameters.mesh.piecePoint = {1.5, -2.25, 1e-3};
+  parameters.reconstruction.fitWeights = true;
+  const std::string json = writeRecipe(parameters);
+  Parameters read;
+  readRecipe(json, read);
+  EXPECT_EQ(writeRecipe(read), json);
+  EXPECT_EQ(read.mesh.piece, PieceChoice::point);
+  EXPECT_EQ(read.classification.alpha, 0.7000000000000001);
+}
+
+TEST(Recipe, HoldsEveryField) {
+  const auto json = nlohmann::json::parse(writeRecipe(Parameters{}));
+  Parameters parameters;
+  int count = 0;
+  forEachField(
+      [&](const Group& g, const Field& f, auto&&...) {
+        ++count;
+        EXPECT_TRUE(json.at(std::string(g.name)).contains(std::string(f.name))) << g.name << "." << f.name;
+      },
+      parameters);
+  EXPECT_GT(count, 30);
+}
+
+TEST(Recipe, PartialOneLeavesTheRest) {
+  Parameters parameters;
+  parameters.classification.gamma = 2;
+  readRecipe(R"({"classification": {"alpha": 0.5}})", parameters);
+  EXPECT_EQ(parameters.classification.alpha, 0.5);
+  EXPECT_EQ(parameters.classification.gamma, 2);
+}
+
+TEST(Recipe, RefusesWhatItDoesNotKnowByName) {
+  EXPECT_NE(complaint("{"), "");
+  EXPECT_NE(complaint("[1, 2]"), "");
+  EXPECT_NE(complaint(R"({"colour": {}})").find("\"colour\""), std::string::npos);
+  EXPECT_NE(complaint(R"({"mesh": {"sides": 3}})").find("mesh.sides"), std::string::npos);
+  EXPECT_NE(complaint(R"({"mesh": {"resolution": 1.5}})").find("a whole number"), std::string::npos);
+  EXPECT_NE(complaint(R"({"mesh": {"piece": "biggest"}})").find("\"probe\", \"largest\""), std::string::npos);
+  EXPECT_NE(complaint(R"({"mesh": {"piecePoint": [1, 2]}})").find("three numbers"), std::string::npos);
+  EXPECT_NE(complaint(R"({"classification": {"alpha": 99}})").find("between 0.01 and 4"), std::string::npos);
+  EXPECT_NE(complaint(R"({"reconstruction": {"fitWeights": 1}})").find("true or false"), std::string::npos);
+}
+
+TEST(CheckRanges, RefusesNotANumber) {
+  Parameters parameters;
+  parameters.classification.beta = std::nan("");
+  EXPECT_THROW(checkRanges(parameters), Error);
+}
+
+TEST(Fields, NamesAreUniqueAndDocumented) {
+  std::set<std::string> names;
+  Parameters parameters;
+  forEachField(
+      [&](const Group& g, const Field& f, auto&&...) {
+        EXPECT_TRUE(names.insert(std::string(g.name) + "." + std::string(f.name)).second) << f.name;
+        EXPECT_GT(f.help.size(), 10u) << f.name;
+      },
+      parameters);
+}
+
+TEST(ParameterKey, EveryFieldChangesIt) {
+  Parameters original;
+  const auto keys = [](const Parameters& p) {
+    Hasher hasher("test");
+    groups([&](const Group&, const auto& options) { addOptions(hasher, options); }, p);
+    return hasher.key();
+  };
+  const Key before = keys(original);
+  Parameters changed;
+  forEachField(
+      [&](const Group&, const Field& f, auto& member, auto...) {
+        using T = std::decay_t<decltype(member)>;
+        const T kept = member;
+        if constexpr (std::is_same_v<T, bool>) {
+          member = !member;
+        } else if constexpr (std::is_enum_v<T>) {
+          member = T(int(member) + 1);
+        } else if constexpr (std::is_arithmetic_v<T>) {
+          member = T(member + T(1));
+        } else {
+          member[2] += 1;
+        }
+        EXPECT_NE(keys(changed), before) << f.name;
+        member = kept;
+        EXPECT_EQ(keys(changed), before) << f.name;
+      },
+      changed);
+}
+
+}  // namespace
+}  // namespace sonoskin

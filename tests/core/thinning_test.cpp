@@ -1,0 +1,109 @@
+#include "core/surface/thinning.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+// A Lorentzian shell across a sphere, as the classification makes of a sharp edge, and the edge itself.
+struct Shell {
+  Geometry geometry;
+  glm::dvec3 centre;
+  double radius;
+  Volume<float> u, v;
+
+  Shell(glm::ivec3 dims, glm::dvec3 spacing, double r)
+      : geometry(test::grid(dims, spacing)), centre(0.5 * glm::dvec3(dims - 1) * spacing + 0.013), radius(r) {
+    u = test::fill(geometry, [&](glm::dvec3 p) {
+      const double d = (glm::length(p - centre) - radius) / geometry.minSpacing();
+      return 1 / (1 + d * d / 4);
+    });
+    v = test::fill(geometry, [&](glm::dvec3 p) {
+      return 0.5 * (1 - std::tanh((glm::length(p - centre) - radius) / (3 * geometry.minSpacing())));
+    });
+  }
+  double offset(const SurfaceVoxel& s) const {
+    return glm::length(geometry.toWorld(glm::dvec3(s.position)) - centre) - radius;
+  }
+};
+
+SurfaceOptions everywhere() {
+  SurfaceOptions o;
+  o.facing = -1;
+  o.borderMargin = 0;
+  o.threshold = 0.5;
+  return o;
+}
+
+TEST(Thinning, FindsTheSphereToATenthOfAVoxel) {
+  const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
+  const auto found = thin(shell.u, shell.v, {}, everywhere());
+  ASSERT_GT(found.size(), 2000u);
+  for (const auto& s : found) EXPECT_NEAR(shell.offset(s), 0, 0.1) << glm::length(glm::vec3(s.voxel));
+}
+
+TEST(Thinning, FindsItOnLongVoxelsToo) {
+  const Shell shell({60, 60, 24}, {0.3, 0.3, 0.9}, 6);
+  const auto found = thin(shell.u, shell.v, {}, everywhere());
+  ASSERT_GT(found.size(), 1000u);
+  double worst = 0, sum = 0;
+  for (const auto& s : found) {
+    worst = std::max(worst, std::abs(shell.offset(s)));
+    sum += shell.offset(s) * shell.offset(s);
+  }
+  EXPECT_LT(worst, 0.3);  // a voxel
+  EXPECT_LT(std::sqrt(sum / double(found.size())), 0.06);
+}
+
+// One sheet without gaps: every ray from the centre meets a surface voxel within a voxel of where it should.
+TEST(Thinning, LeavesNoGapInTheSheet) {
+  const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
+  const auto found = thin(shell.u, shell.v, {}, everywhere());
+  Volume<std::uint8_t> mark(shell.geometry);
+  for (const auto& s : found) mark.at(s.voxel.x, s.voxel.y, s.voxel.z) = 1;
+  for (int n = 0; n < 2000; ++n) {
+    const double z = 2 * test::noise(std::uint64_t(n)) - 1,
+                 phi = 6.2831853 * test::noise(std::uint64_t(n) + 5000);
+    const glm::dvec3 direction(std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z);
+    const glm::ivec3 at(glm::round(shell.centre + shell.radius * direction));
+    bool hit = false;
+    for (int corner = 0; corner < 27; ++corner)
+      hit |= mark.at(at.x + corner % 3 - 1, at.y + corner / 3 % 3 - 1, at.z + corner / 9 - 1) != 0;
+    EXPECT_TRUE(hit);
+  }
+}
+
+TEST(Thinning, FacingKeepsTheSideTowardTheProbe) {
+  const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
+  auto options = everywhere();
+  options.facing = 0.1;
+  ScanFrame frame;
+  frame.beam.axis = {0, 1, 0};
+  const auto found = thin(shell.u, shell.v, frame, options);
+  ASSERT_GT(found.size(), 800u);
+  for (const auto& s : found) EXPECT_LT(double(s.position.y), shell.centre.y);
+}
+
+TEST(Thinning, NothingIsFoundNearTheSidesOfTheView) {
+  const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
+  auto options = everywhere();
+  options.borderMargin = 3;
+  ScanFrame frame;
+  frame.view.sides = {glm::vec4(1, 0, 0, -30)};  // the view ends at x = 30
+  for (const auto& s : thin(shell.u, shell.v, frame, options)) EXPECT_LE(s.voxel.x, 27);
+}
+
+TEST(Thinning, StopsWhenCancelled) {
+  const Shell shell({16, 16, 16}, glm::dvec3(1), 5);
+  ProgressSink sink;
+  sink.cancel = true;
+  EXPECT_THROW(thin(shell.u, shell.v, {}, everywhere(), Progress(sink)), Cancelled);
+}
+
+}  // namespace
+}  // namespace sonoskin
