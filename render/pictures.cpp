@@ -1,6 +1,11 @@
 #include "render/pictures.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/volume/gaussian.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin {
@@ -32,6 +37,104 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
              .supersampling = 2,
              .shadowSize = 2048},
             picture);
+  return gl::readImage(picture);
+}
+
+Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>> volume,
+                      const VolumePictureOptions& look, const PictureOptions& options) {
+  checkSize(options.size);
+  if (!(look.iso > 0 && look.iso < 1))
+    throw Error(fmt::format("an iso-value of {} is not between 0 and 1", look.iso), Error::Kind::usage);
+  context.makeCurrent();
+  if (look.smoothing > 0)
+    volume = std::make_shared<const Volume<float>>(gaussianBlur(*volume, look.smoothing));
+  GpuVolume gpuVolume;
+  gpuVolume.set(volume);
+  const Camera camera =
+      parseCamera(options.camera, options.beam, worldBox(volume->geometry), aspectOf(options.size));
+  const gl::Framebuffer picture({.size = options.size});
+  Raycaster raycaster;
+  raycaster.draw({.volume = gpuVolume,
+                  .camera = camera,
+                  .lighting = portraitLighting(camera),
+                  .look = look.look,
+                  .iso = look.iso,
+                  .transfer = amberTransfer(look.iso),
+                  .gradientReach = 1.5f},
+                 picture);
+  return gl::readImage(picture);
+}
+
+glm::dvec3 brightMiddle(const Volume<float>& volume) {
+  const Geometry& g = volume.geometry;
+  std::vector<glm::dvec4> sums(std::size_t(g.dims.z),
+                               glm::dvec4(0));  // weight * index, and weight, per slice
+  parallelFor(g.dims.z, [&](std::ptrdiff_t k) {
+    glm::dvec4 sum(0);
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i) {
+        const double weight = double(volume.at(i, j, int(k))) * volume.at(i, j, int(k));
+        sum += weight * glm::dvec4(i, j, k, 1);
+      }
+    sums[std::size_t(k)] = sum;
+  });
+  glm::dvec4 total(0);
+  for (const auto& sum : sums) total += sum;
+  return g.toWorld(total.w > 0 ? glm::dvec3(total) / total.w : 0.5 * glm::dvec3(g.dims - 1));
+}
+
+namespace {
+
+// One column of a picture of slices.
+struct Column {
+  GpuVolume volume;
+  const GpuVolume* overlay = nullptr;
+  GreyWindow window{};
+};
+
+std::vector<Column> columnsOf(const SlicesInput& input, GpuVolume& thinned) {
+  std::vector<Column> columns(1);
+  columns[0].volume.set(input.raw);
+  if (input.classified) columns.emplace_back().volume.set(input.classified);
+  if (input.thinned) {
+    thinned.set(input.thinned);
+    Column& column = columns.emplace_back();
+    column.volume.set(input.raw);
+    column.overlay = &thinned;
+    column.window = {1.0f, 2.0f};  // raw at half its brightness, so that the colour stands out
+  }
+  return columns;
+}
+
+}  // namespace
+
+Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2 size) {
+  checkSize(size);
+  context.makeCurrent();
+  GpuVolume thinned;
+  const auto columns = columnsOf(input, thinned);
+  const glm::dvec3 cursor =
+      input.cursor.value_or(brightMiddle(input.classified ? *input.classified : *input.raw));
+  const gl::Framebuffer picture({.size = size});
+  picture.clear({0.10f, 0.11f, 0.12f, 1});
+  constexpr int kGap = 3;  // pixels between the panels
+  const int count = int(columns.size());
+  const glm::ivec2 panel =
+      glm::max((size - kGap * (glm::ivec2(count, 3) - 1)) / glm::ivec2(count, 3), glm::ivec2(1));
+  SliceView view;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < count; ++column) {
+      const Column& c = columns[std::size_t(column)];
+      const SliceCamera camera{.plane = kPlanes[std::size_t(row)], .cursor = cursor};
+      // The first row is on top; OpenGL counts from the bottom.
+      const glm::ivec2 corner((panel.x + kGap) * column, size.y - panel.y - (panel.y + kGap) * row);
+      view.draw({.frame = input.raw->geometry,
+                 .camera = camera,
+                 .volume = c.volume,
+                 .window = c.window,
+                 .overlay = c.overlay},
+                gl::Target(picture.name(), corner, panel));
+    }
   return gl::readImage(picture);
 }
 

@@ -58,4 +58,11 @@ void Target::bind() const {
   glScissor(corner.x, corner.y, size.x, size.y);
 }
 
+void copyStretched(const Framebuffer& from, const Target& to) {
+  glDisable(GL_SCISSOR_TEST);
+  const glm::ivec2 end = to.corner + to.size;
+  glBlitNamedFramebuffer(from.name(), to.framebuffer, 0, 0, from.size().x, from.size().y, to.corner.x,
+                         to.corner.y, end.x, end.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 }  // namespace sonoskin::gl

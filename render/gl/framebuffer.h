@@ -60,4 +60,7 @@ struct Target {
   void bind() const;
 };
 
+// copyStretched: the first colour of a framebuffer over the whole target, interpolated.
+void copyStretched(const Framebuffer& from, const Target& to);
+
 }  // namespace sonoskin::gl

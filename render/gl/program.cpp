@@ -113,12 +113,17 @@ void Program::set(const char* u, const glm::mat4& v) {
 
 void Program::Traits::destroy(unsigned name) { glDeleteProgram(name); }
 
-void drawFullScreen() {
+void drawFullScreen(DepthWrite depth) {
   // Core profile demands a vertex array even where the vertex shader reads nothing from it.
   unsigned vertexArray = 0;
   glCreateVertexArrays(1, &vertexArray);
   glBindVertexArray(vertexArray);
-  glDisable(GL_DEPTH_TEST);
+  if (depth == DepthWrite::on) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+  } else {
+    glDisable(GL_DEPTH_TEST);
+  }
   glDisable(GL_CULL_FACE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDeleteVertexArrays(1, &vertexArray);

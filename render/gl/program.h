@@ -49,8 +49,10 @@ class Program {
   Object<Traits> object_;
 };
 
-// drawFullScreen: one triangle over the whole target; for programs whose vertex shader is
-// common/fullscreen.vert.
-void drawFullScreen();
+enum class DepthWrite { off, on };
+
+// drawFullScreen: one triangle over the whole target, for programs with common/fullscreen.vert.
+//   depth  on: the fragment shader's depth is stored, whatever was there
+void drawFullScreen(DepthWrite depth = DepthWrite::off);
 
 }  // namespace sonoskin::gl

@@ -1,0 +1,141 @@
+#include "render/gpu_volume.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/base/parallel.h"
+
+namespace sonoskin {
+namespace {
+
+float toUnit(float value) { return std::clamp(value, 0.0f, 1.0f); }
+
+std::uint8_t toByte(float value) { return std::uint8_t(255 * toUnit(value) + 0.5f); }
+
+// Whether every value is a multiple of 1/255, as in a volume that was recorded with 8 bits.
+bool fitsBytes(const Volume<float>& volume) {
+  std::atomic<bool> fits{true};
+  const std::size_t slice = volume.geometry.index(0, 0, 1);
+  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
+    const float* v = volume.data.data() + std::size_t(k) * slice;
+    bool all = fits;
+    for (std::size_t i = 0; i < slice && all; ++i)
+      all = std::abs(255 * v[i] - std::round(255 * v[i])) < 1e-3f;
+    if (!all) fits = false;
+  });
+  return fits;
+}
+
+template <class To, class From, class F>
+gl::Texture upload(const Volume<From>& volume, gl::Format format, F&& convert) {
+  std::vector<To> texels(volume.data.size());
+  const std::size_t slice = volume.geometry.index(0, 0, 1);
+  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
+    const std::size_t begin = std::size_t(k) * slice;
+    for (std::size_t i = begin; i < begin + slice; ++i) texels[i] = convert(volume.data[i]);
+  });
+  gl::Texture texture({.size = volume.geometry.dims, .format = format});
+  texture.upload(texels.data());
+  return texture;
+}
+
+gl::Texture valueTexture(const Volume<float>& volume) {
+  if (fitsBytes(volume)) return upload<std::uint8_t>(volume, gl::Format::r8, toByte);
+  return upload<std::uint16_t>(volume, gl::Format::r16,
+                               [](float v) { return std::uint16_t(65535 * toUnit(v) + 0.5f); });
+}
+
+gl::Texture valueTexture(const Volume<std::uint8_t>& volume) {
+  gl::Texture texture({.size = volume.geometry.dims, .format = gl::Format::r8});
+  texture.upload(volume.data.data());
+  return texture;
+}
+
+// One row of the shade texture: central differences, one-sided at the border.
+void shadeRow(const Volume<float>& volume, int j, int k, glm::u8vec4* row) {
+  const auto dims = volume.geometry.dims;
+  const glm::vec3 scale =
+      2.0f * volume.geometry.axisScale();  // times 4, and central differences span two voxels
+  const int j0 = std::max(j - 1, 0), j1 = std::min(j + 1, dims.y - 1);
+  const int k0 = std::max(k - 1, 0), k1 = std::min(k + 1, dims.z - 1);
+  const float *here = &volume.at(0, j, k), *below = &volume.at(0, j0, k), *above = &volume.at(0, j1, k),
+              *before = &volume.at(0, j, k0), *behind = &volume.at(0, j, k1);
+  for (int i = 0; i < dims.x; ++i) {
+    const int i0 = std::max(i - 1, 0), i1 = std::min(i + 1, dims.x - 1);
+    const glm::vec3 g = scale * glm::vec3(here[i1] - here[i0], above[i] - below[i], behind[i] - before[i]);
+    const glm::vec3 c = 127.5f * glm::clamp(g, -1.0f, 1.0f) + 128.0f;  // + 0.5 to round
+    row[i] = glm::u8vec4(std::uint8_t(c.x), std::uint8_t(c.y), std::uint8_t(c.z), toByte(here[i]));
+  }
+}
+
+// The maximum of a brick's voxels, one voxel of overlap at its far sides included.
+float brickMaximum(const Volume<float>& volume, const glm::ivec3& first, int side) {
+  const glm::ivec3 last = glm::min(first + side, volume.geometry.dims - 1);
+  float most = 0;
+  for (int k = first.z; k <= last.z; ++k)
+    for (int j = first.y; j <= last.y; ++j) {
+      const float* row = &volume.at(0, j, k);
+      for (int i = first.x; i <= last.x; ++i) most = std::max(most, row[i]);
+    }
+  return most;
+}
+
+}  // namespace
+
+std::vector<float> brickMaxima(const Volume<float>& volume, int side) {
+  const glm::ivec3 bricks = (volume.geometry.dims + side - 1) / side;
+  std::vector<float> maxima(std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z));
+  parallelFor(bricks.y * bricks.z, [&](std::ptrdiff_t row) {
+    for (int b = 0; b < bricks.x; ++b)
+      maxima[std::size_t(row) * std::size_t(bricks.x) + std::size_t(b)] =
+          brickMaximum(volume, side * glm::ivec3(b, int(row) % bricks.y, int(row) / bricks.y), side);
+  });
+  return maxima;
+}
+
+template <class T>
+void GpuVolume::setVolume(std::shared_ptr<const Volume<T>> volume) {
+  bricks_ = gl::Texture();
+  shades_ = gl::Texture();
+  geometry_ = volume ? volume->geometry : Geometry{};
+  values_ = volume ? valueTexture(*volume) : gl::Texture();
+}
+
+void GpuVolume::set(std::shared_ptr<const Volume<float>> volume) {
+  if (volume == floats_ && !bytes_) return;
+  floats_ = volume;
+  bytes_.reset();
+  setVolume(std::move(volume));
+}
+
+void GpuVolume::set(std::shared_ptr<const Volume<std::uint8_t>> volume) {
+  if (volume == bytes_ && !floats_) return;
+  bytes_ = volume;
+  floats_.reset();
+  setVolume(std::move(volume));
+}
+
+const gl::Texture& GpuVolume::bricks() {
+  if (bricks_ || !floats_) return bricks_;
+  const auto maxima = brickMaxima(*floats_, kBrick);
+  bricks_ = gl::Texture({.size = (geometry_.dims + kBrick - 1) / kBrick,
+                         .format = gl::Format::r32f,
+                         .filter = gl::Filter::nearest});
+  bricks_.upload(maxima.data());
+  return bricks_;
+}
+
+const gl::Texture& GpuVolume::shades() {
+  if (shades_ || !floats_) return shades_;
+  const auto dims = geometry_.dims;
+  std::vector<glm::u8vec4> texels(geometry_.voxels());
+  parallelFor(dims.z, [&](std::ptrdiff_t k) {
+    for (int j = 0; j < dims.y; ++j) shadeRow(*floats_, j, int(k), &texels[geometry_.index(0, j, int(k))]);
+  });
+  shades_ = gl::Texture({.size = dims, .format = gl::Format::rgba8});
+  shades_.upload(texels.data());
+  return shades_;
+}
+
+}  // namespace sonoskin

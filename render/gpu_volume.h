@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "core/volume/volume.h"
+#include "render/gl/texture.h"
+
+namespace sonoskin {
+
+// GpuVolume: a volume's copy on the GPU; uploads only where the volume is another object than the last time.
+// Values are taken as 0 to 1; those of byte volumes are divided by 255.
+class GpuVolume {
+ public:
+  static constexpr int kBrick = 8;  // voxels along a brick's side
+
+  // set: keeps the volume alive, so that its address stays its name.
+  void set(std::shared_ptr<const Volume<float>> volume);
+  void set(std::shared_ptr<const Volume<std::uint8_t>> volume);
+
+  bool empty() const { return !values_; }
+  const Geometry& geometry() const { return geometry_; }
+  const std::shared_ptr<const Volume<float>>& floats() const { return floats_; }  // null for a byte volume
+
+  // values: one 8-bit number per voxel where that is exact, else 16-bit.
+  const gl::Texture& values() const { return values_; }
+  // bricks: for every 8^3 voxels the largest value that interpolation can give between their centres and the
+  // next.
+  const gl::Texture& bricks();
+  // shades: xyz: gradient along i, j, k per mm times the smallest spacing times 4, from [-1, 1] to [0, 1]; w:
+  // the value. Made when first asked for.
+  const gl::Texture& shades();
+
+ private:
+  template <class T>
+  void setVolume(std::shared_ptr<const Volume<T>> volume);
+
+  std::shared_ptr<const Volume<float>> floats_;
+  std::shared_ptr<const Volume<std::uint8_t>> bytes_;
+  Geometry geometry_;
+  gl::Texture values_, bricks_, shades_;
+};
+
+// brickMaxima: the largest value of every brick of side^3 cells (a cell spans a voxel's centre to the next).
+//   output  ceil(dims / side) bricks along each axis, i fastest
+std::vector<float> brickMaxima(const Volume<float>& volume, int side);
+
+}  // namespace sonoskin

@@ -1,0 +1,52 @@
+// The ray of a pixel through a volume. Positions are voxel indices (a voxel's centre is at whole numbers); t is the
+// depth along the view's middle in mm, so rays are not of unit length.
+uniform vec3 eyeIndex;                     // the camera's eye, in voxel indices
+uniform vec3 rayCentre, rayRight, rayUp;   // voxel indices per unit of t: the middle, and what the edges add
+uniform vec3 viewCentre, viewRight, viewUp;  // the same in world mm
+uniform ivec3 dims;
+uniform vec3 boxMin, boxMax;               // the part that is shown, in voxel indices
+uniform float stepLength;                  // mm along the ray
+uniform sampler3D bricks;
+
+const float brickSide = 8.0;
+
+struct Ray {
+  vec3 direction;   // voxel indices per unit of t
+  vec3 world;       // unit, world
+  float from, to;   // where it enters and leaves the box; from >= to where it misses
+  float step;       // stepLength in units of t
+};
+
+vec3 nonZero(vec3 v) { return mix(v, vec3(1e-9), lessThan(abs(v), vec3(1e-9))); }
+
+Ray makeRay(vec2 uv) {
+  vec2 ndc = 2.0 * uv - 1.0;
+  Ray ray;
+  ray.direction = rayCentre + ndc.x * rayRight + ndc.y * rayUp;
+  vec3 world = viewCentre + ndc.x * viewRight + ndc.y * viewUp;
+  ray.world = normalize(world);
+  ray.step = stepLength / length(world);
+  vec3 inverse = 1.0 / nonZero(ray.direction);
+  vec3 t0 = (boxMin - eyeIndex) * inverse, t1 = (boxMax - eyeIndex) * inverse;
+  vec3 enter = min(t0, t1), leave = max(t0, t1);
+  ray.from = max(max(enter.x, max(enter.y, enter.z)), 0.0);
+  ray.to = min(leave.x, min(leave.y, leave.z));
+  return ray;
+}
+
+float brickMaximum(vec3 index) { return texelFetch(bricks, ivec3(index / brickSide), 0).r; }
+
+// How much farther in t the ray leaves the brick that holds `index`.
+float brickExit(vec3 index, vec3 direction) {
+  vec3 low = floor(index / brickSide) * brickSide;
+  vec3 planes = mix(low, low + brickSide, greaterThan(direction, vec3(0.0)));
+  vec3 t = (planes - index) / nonZero(direction);
+  return max(min(t.x, min(t.y, t.z)), 0.0);
+}
+
+// The next sample position after an empty brick: positions stay on the ray's own lattice, or the leap would show.
+float leap(Ray ray, float t, vec3 index, float offset) {
+  float exit = t + brickExit(index, ray.direction);
+  float n = ceil((exit - ray.from) / ray.step - offset);
+  return max(ray.from + (n + offset) * ray.step, t + ray.step);
+}

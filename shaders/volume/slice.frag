@@ -1,0 +1,46 @@
+// One slice of a volume, sRGB-encoded. Variant: OVERLAY.
+in vec2 uv;
+
+uniform ivec2 size;                                // of the picture, pixels
+uniform sampler3D volume;
+uniform vec3 volumeCorner, volumeRight, volumeDown;  // voxel indices: the upper left corner, and per pixel
+uniform ivec3 volumeDims;                          // 0: there is no volume
+uniform vec2 window;                               // shown = value * x + y
+uniform vec2 cursor;                               // pixels from the upper left corner
+uniform vec3 horizontalColour, verticalColour;     // of the cross-hair's lines
+#ifdef OVERLAY
+uniform sampler3D overlay;
+uniform vec3 overlayCorner, overlayRight, overlayDown;
+uniform ivec3 overlayDims;
+uniform vec2 overlayWindow;
+uniform vec3 overlayColour;
+uniform float overlayOpacity;
+#endif
+
+layout(location = 0) out vec4 colour;
+
+const vec3 outsideColour = vec3(0.055, 0.06, 0.07);
+
+bool contains(vec3 index, ivec3 dims) {
+  return all(greaterThan(index, vec3(-0.5))) && all(lessThan(index, vec3(dims) - 0.5));
+}
+
+void main() {
+  vec2 pixel = vec2(uv.x, 1.0 - uv.y) * vec2(size);
+  vec3 index = volumeCorner + pixel.x * volumeRight + pixel.y * volumeDown;
+  float value = texture(volume, (index + 0.5) / vec3(max(volumeDims, 1))).r;
+  vec3 shown = vec3(clamp(value * window.x + window.y, 0.0, 1.0));
+  shown = contains(index, volumeDims) ? shown : outsideColour;
+#ifdef OVERLAY
+  vec3 place = overlayCorner + pixel.x * overlayRight + pixel.y * overlayDown;
+  float over = texture(overlay, (place + 0.5) / vec3(overlayDims)).r * overlayWindow.x + overlayWindow.y;
+  over = contains(place, overlayDims) ? clamp(over, 0.0, 1.0) * overlayOpacity : 0.0;
+  shown = mix(shown, overlayColour, over);
+#endif
+  vec2 away = abs(pixel - cursor);
+  // The middle stays free, so that what the cursor points at can be seen.
+  float free = max(away.x, away.y) < 8.0 ? 0.0 : 0.75;
+  shown = away.y <= 0.5 ? mix(shown, horizontalColour, free) : shown;
+  shown = away.x <= 0.5 ? mix(shown, verticalColour, free) : shown;
+  colour = vec4(shown, 1.0);
+}
