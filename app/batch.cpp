@@ -1,0 +1,140 @@
+#include "app/batch.h"
+
+#include <fstream>
+
+#include "app/input.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/timer.h"
+#include "core/io/atomic_file.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/ply_writer.h"
+#include "core/io/volume_writer.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/recipe.h"
+#include "render/pictures.h"
+
+namespace sonoskin {
+namespace {
+
+// Shares of the whole time, measured on the phantom at full size.
+constexpr double kLoaded = 0.3, kComputed = 0.8, kDrawn = 0.95;
+
+// BatchRun: what the steps of one run share.
+struct BatchRun {
+  const BatchOptions& options;
+  const Progress& progress;
+  const Pipeline::StageBegins& stageBegins;
+  OutputFolder folder;
+  Report report;
+
+  std::filesystem::path file(const std::string& name) {
+    report.files.push_back(name);
+    return folder.file(name);
+  }
+  // stage: does one step and notes what it cost; `step` returns the bytes of its result.
+  template <class Step>
+  void stage(const std::string& name, Step&& step) {
+    if (stageBegins) stageBegins(name);
+    const Timer timer;
+    const std::size_t bytes = step();
+    report.stages.push_back({name, timer.seconds(), bytes});
+  }
+};
+
+Scan load(BatchRun& run) {
+  Scan scan;
+  const bool phantom = run.options.input == kPhantomInput;
+  run.stage(phantom ? "simulation" : "reading", [&] {
+    scan = loadInput(run.options.input, run.options.parameters, run.progress.part(0, kLoaded));
+    return scan.volume->data.size() * sizeof(float);
+  });
+  const Geometry& g = scan.volume->geometry;
+  run.report.dims = {g.dims.x, g.dims.y, g.dims.z};
+  run.report.spacing = {g.spacing.x, g.spacing.y, g.spacing.z};
+  run.report.spacingKnown = scan.spacingKnown;
+  return scan;
+}
+
+Results compute(BatchRun& run, const Scan& scan) {
+  Pipeline pipeline;  // gone after this, and with it what only a later run would need
+  Results results = pipeline.run(scan, run.options.parameters, Goal::mesh,
+                                 run.progress.part(kLoaded, kComputed), run.stageBegins);
+  run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
+  run.report.isoValue = results.isoValue;
+  run.report.points = results.points->size();
+  run.report.centres = results.centres;
+  run.report.pieces = results.pieces->size();
+  run.report.triangles = results.mesh->triangles.size();
+  run.report.area = surfaceArea(*results.mesh);
+  return results;
+}
+
+void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
+  run.stage("pictures", [&] {
+    const auto context = gl::makeOffscreenContext(run.options.backend);
+    run.report.gl = gl::glInfo();
+    PictureOptions picture;
+    picture.size = run.options.pictureSize;
+    picture.beam = beamOf(scan, run.options.parameters.scan);
+    const Progress progress = run.progress.part(kComputed, kDrawn);
+    const std::size_t bytes = 4 * std::size_t(picture.size.x) * std::size_t(picture.size.y);
+    writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, picture));
+    progress.update(0.25);
+    writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, picture));
+    progress.update(0.5);
+    return 4 * bytes;
+  });
+}
+
+void writePoints(const std::filesystem::path& path, const SurfacePoints& points) {
+  Mesh cloud;
+  cloud.positions = points.positions;
+  cloud.normals = points.normals;
+  const std::vector<std::uint8_t> bytes = encodePly(cloud);
+  writeBytes(path, bytes.data(), bytes.size());
+}
+
+std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) {
+  const BatchOptions& options = run.options;
+  const Progress progress = run.progress.part(kDrawn, 1);
+  for (const std::string& format : options.meshFormats)
+    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.3));
+  if (options.input == kPhantomInput)
+    writeMesh(run.file("truth.ply"), makePhantomTruth(options.parameters.phantom, progress.part(0.3, 0.7)));
+  if (options.keepClassified)
+    writeVolume(run.file("classified.nrrd"), *results.classified, scan.beam, progress.part(0.7, 0.9));
+  if (options.keepThinned)
+    writeVolume(run.file("thinned.nrrd"), *results.thinned, scan.beam, progress.part(0.9, 0.95));
+  if (options.keepPoints) writePoints(run.file("points.ply"), *results.points);
+  const std::string recipe = writeRecipe(options.parameters, scan.key);
+  writeBytes(run.file("recipe.json"), recipe.data(), recipe.size());
+  progress.update(1);
+  return 0;
+}
+
+}  // namespace
+
+Report runBatch(const BatchOptions& options, const Progress& progress,
+                const Pipeline::StageBegins& stageBegins) {
+  const Timer timer;
+  BatchRun run{options, progress, stageBegins, OutputFolder(options.folder), {}};
+  run.report.input = inputName(options.input);
+  run.report.threads = threadCount();
+
+  const Scan scan = load(run);
+  const Results results = compute(run, scan);
+  drawPictures(run, scan, results);
+  run.stage("files", [&] { return writeFiles(run, scan, results); });
+
+  const std::filesystem::path reportFile = run.file("report.json");
+  run.report.seconds = timer.seconds();
+  run.report.peakMemory = peakMemoryBytes();
+  const std::string report = reportJson(run.report);
+  writeBytes(reportFile, report.data(), report.size());
+  progress.throwIfCancelled();
+  run.folder.commit();
+  return run.report;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "app/report.h"
+#include "core/base/progress.h"
+#include "core/pipeline/pipeline.h"
+#include "render/gl/context.h"
+
+namespace sonoskin {
+
+// BatchOptions: one run without a window.
+struct BatchOptions {
+  std::string input;  // a volume file, or "phantom"
+  std::filesystem::path folder;
+  Parameters parameters;
+  std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf
+  bool keepClassified = false, keepThinned = false, keepPoints = false;
+  glm::ivec2 pictureSize{1280, 960};
+  gl::Backend backend = gl::Backend::egl;
+};
+
+// runBatch: the whole way from a volume to a folder with mesh.<format>, skin.png, mesh.png, volume.png,
+// slices.png, recipe.json and report.json; of the phantom truth.ply too; classified.nrrd, thinned.nrrd,
+// points.ply on request.
+//   stageBegins  called with a word for people as each stage starts
+//   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the
+//   results
+//                of earlier runs in it are as before then.
+Report runBatch(const BatchOptions& options, const Progress& progress = {},
+                const Pipeline::StageBegins& stageBegins = {});
+
+}  // namespace sonoskin

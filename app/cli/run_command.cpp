@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/batch.h"
+#include "app/cli/commands.h"
+#include "app/cli/parameter_options.h"
+#include "app/cli/picture_options.h"
+
+namespace sonoskin {
+namespace {
+
+struct RunOptions {
+  BatchOptions batch;
+  ParameterOptions parameters;
+  std::vector<std::string> keep;
+};
+
+void run(RunOptions& options, Console& console) {
+  BatchOptions& batch = options.batch;
+  batch.parameters = options.parameters.resolve();
+  const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
+  batch.keepClassified = keeps("classified");
+  batch.keepThinned = keeps("thinned");
+  batch.keepPoints = keeps("points");
+  const Report report =
+      runBatch(batch, console.progress(), [&](const std::string& stage) { console.beginStage(stage); });
+  console.print(reportJson(report), reportText(report, batch.folder));
+}
+
+}  // namespace
+
+Command addRunCommand(CLI::App& program, Console& console) {
+  auto options = std::make_shared<RunOptions>();
+  BatchOptions& batch = options->batch;
+  CLI::App* command =
+      program.add_subcommand("run", "volume -> mesh, pictures, recipe, report; no window needed");
+  command->add_option("INPUT", batch.input, "volume file, or \"phantom\" for the simulated scan")
+      ->required()
+      ->type_name("");
+  command->add_option("--out", batch.folder, "folder for the results; made where missing")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--export", batch.meshFormats, "formats of the mesh, with commas [default ply]")
+      ->delimiter(',')
+      ->type_name("ply,stl,obj,glb,3mf")
+      ->expected(1)
+      ->check(CLI::IsMember({"ply", "stl", "obj", "glb", "3mf"}));
+  command->add_option("--keep", options->keep, "results on the way to write too, with commas")
+      ->delimiter(',')
+      ->type_name("classified,thinned,points")
+      ->expected(1)
+      ->check(CLI::IsMember({"classified", "thinned", "points"}));
+  addSizeOption(*command, batch.pictureSize);
+  addBackendOption(*command, batch.backend);
+  console.addThreads(*command);
+  console.addJson(*command);
+  options->parameters.addTo(*command);
+  return {command, [options, &console] { run(*options, console); }};
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,114 @@
+// The command line as a contract: exit status, one line for what went wrong, the recipe.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/parameter_text.h"
+#include "core/base/version.h"
+#include "tests/app/cli_support.h"
+
+namespace sonoskin::test {
+namespace {
+
+void expectOneLine(const ProgramResult& result, int status) {
+  EXPECT_EQ(result.status, status) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(result.err.starts_with("sonoskin: error: ")) << result.err;
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+}
+
+TEST(CommandLine, WrongUsageGivesTwo) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--nonsense"},
+      {"no-such-command-or-file"},
+      {"run"},                                                      // neither INPUT nor --out
+      {"run", "phantom"},                                           // no --out
+      {"run", "phantom", "--out", "/tmp/x", "--export", "doc"},     // no such format
+      {"run", "phantom", "--out", "/tmp/x", "--keep", "nothing"},   // no such result
+      {"run", "phantom", "--out", "/tmp/x", "--size", "800"},       // half a size
+      {"run", "phantom", "--out", "/tmp/x", "--size", "9999x800"},  // too large
+      {"run", "phantom", "--out", "/tmp/x", "--gl", "metal"},
+      {"run", "phantom", "--out", "/tmp/x", "--threads", "0"},
+      {"run", "phantom", "--out", "/tmp/x", "--classification.alpha", "much"},
+      {"run", "phantom", "--out", "/tmp/x", "--classification.alpha", "99"},
+      {"run", "phantom", "--out", "/tmp/x", "--classification.alfa", "1"},
+      {"run", "phantom", "--out", "/tmp/x", "--phantom.dims", "10x20"},
+      {"run", "phantom", "--out", "/tmp/x", "--mesh.piece", "smallest"},
+      {"run", "phantom", "--out", "/tmp/x", "--mesh.piecePoint", "1,2,nan"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--view", "inside"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--camera", "sideways"},
+      {"render", "phantom", "--out", "/tmp/x.bmp"},
+      {"phantom", "--out", "/tmp/x.doc"},
+      {"phantom", "--out", "/tmp/no-such-folder-of-sonoskin/x.nrrd"},
+      {"compare", "only-one.ply"},
+  };
+  for (const auto& arguments : wrong) {
+    std::string shown;
+    for (const std::string& word : arguments) shown += word + " ";
+    SCOPED_TRACE(shown);
+    expectOneLine(sonoskin(arguments), 2);
+  }
+}
+
+TEST(CommandLine, HelpAndVersionGiveZero) {
+  const ProgramResult help = sonoskin({"run", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  const ProgramResult version = sonoskin({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_NE(version.out.find(kVersion), std::string::npos);
+}
+
+TEST(CommandLine, HelpNamesEveryParameterWithItsRangeAndDefault) {
+  const std::string help = sonoskin({"run", "--help"}).out;
+  for (const ParameterInfo& p : describeParameters({})) {
+    EXPECT_NE(help.find("--" + p.name), std::string::npos) << p.name;
+    EXPECT_NE(help.find(p.help), std::string::npos) << p.name;
+    EXPECT_NE(help.find(p.range), std::string::npos) << p.name;
+    EXPECT_NE(help.find("default " + p.value), std::string::npos) << p.name;
+  }
+}
+
+TEST(CommandLine, RecipeGoesRound) {
+  const TempFolder folder;
+  const ProgramResult first =
+      sonoskin({"recipe", "--classification.alpha", "0.7", "--mesh.piece", "largest", "--phantom.dims",
+                "64x48x32", "--reconstruction.fitWeights", "on", "--mesh.piecePoint", "-1.5,2,1e3"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  const nlohmann::json json = nlohmann::json::parse(first.out);
+  EXPECT_NE(first.out, sonoskin({"recipe"}).out);
+  folder.write("r.json", first.out);
+  const ProgramResult second = sonoskin({"recipe", "--recipe", (folder / "r.json").string(), "--json"});
+  EXPECT_EQ(second.out, first.out);
+}
+
+TEST(CommandLine, OptionsGoOnTopOfTheRecipeWhereverTheyStand) {
+  const TempFolder folder;
+  folder.write("r.json", sonoskin({"recipe", "--classification.alpha", "0.7"}).out);
+  const std::string recipe = (folder / "r.json").string();
+  const std::string expected = sonoskin({"recipe", "--classification.alpha", "0.9"}).out;
+  EXPECT_EQ(sonoskin({"recipe", "--classification.alpha", "0.9", "--recipe", recipe}).out, expected);
+  EXPECT_EQ(sonoskin({"recipe", "--recipe", recipe, "--classification.alpha", "0.9"}).out, expected);
+}
+
+TEST(CommandLine, BadRecipesGiveThree) {
+  const TempFolder folder;
+  const std::string path = (folder / "r.json").string();
+  for (const char* text :
+       {"", "{", "[]", R"({"classification":{"alfa":1}})", R"({"classification":{"alpha":"x"}})"}) {
+    SCOPED_TRACE(text);
+    folder.write("r.json", text);
+    expectOneLine(sonoskin({"recipe", "--recipe", path}), 3);
+  }
+  expectOneLine(sonoskin({"recipe", "--recipe", path + ".missing"}), 3);
+}
+
+TEST(CommandLine, ExplainsEveryField) {
+  const std::string table = sonoskin({"recipe", "--explain"}).out;
+  for (const ParameterInfo& p : describeParameters({}))
+    EXPECT_NE(table.find("| `" + p.name + "` |"), std::string::npos) << p.name;
+}
+
+}  // namespace
+}  // namespace sonoskin::test
