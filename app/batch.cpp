@@ -1,7 +1,5 @@
 #include "app/batch.h"
 
-#include <fstream>
-
 #include "app/input.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -74,16 +72,21 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
   run.stage("pictures", [&] {
     const auto context = gl::makeOffscreenContext(run.options.backend);
     run.report.gl = gl::glInfo();
-    PictureOptions picture;
-    picture.size = run.options.pictureSize;
-    picture.beam = beamOf(scan, run.options.parameters.scan);
+    PictureOptions frame;
+    frame.size = run.options.pictureSize;
+    frame.beam = beamOf(scan, run.options.parameters.scan);
+    VolumePictureOptions look;
+    look.iso = float(results.isoValue);
     const Progress progress = run.progress.part(kComputed, kDrawn);
-    const std::size_t bytes = 4 * std::size_t(picture.size.x) * std::size_t(picture.size.y);
-    writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, picture));
+    writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, frame));
     progress.update(0.25);
-    writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, picture));
+    writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, frame));
     progress.update(0.5);
-    return 4 * bytes;
+    writePng(run.file("volume.png"), pictureOfVolume(*context, scan.volume, look, frame));
+    progress.update(0.8);
+    const SlicesInput slices{scan.volume, results.classified, results.thinned, {}};
+    writePng(run.file("slices.png"), pictureOfSlices(*context, slices, frame.size));
+    return 4 * 4 * std::size_t(frame.size.x) * std::size_t(frame.size.y);
   });
 }
 

@@ -67,7 +67,8 @@ int parseAndRun(int argc, char** argv) {
   parameters.addRecipe(program);
 
   Console console;
-  const std::vector<Command> commands = {addRunCommand(program, console), addPhantomCommand(program, console),
+  const std::vector<Command> commands = {addRunCommand(program, console), addRenderCommand(program, console),
+                                         addPhantomCommand(program, console),
                                          addInfoCommand(program, console),
                                          addRecipeCommand(program, console)};
   try {

@@ -20,7 +20,7 @@ void Console::addThreads(CLI::App& command) {
       .add_option_function<int>("--threads", setThreadCount,
                                 "threads to use; the machine's own number by default")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMostThreads).description(""));
 }
 
 void Console::print(const std::string& json, const std::string& text) {

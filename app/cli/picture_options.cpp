@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,14 +45,16 @@ void addSizeOption(CLI::App& command, glm::ivec2& size) {
 }
 
 void addBackendOption(CLI::App& command, gl::Backend& backend) {
-  const std::map<std::string, gl::Backend> names{{"egl", gl::Backend::egl}, {"osmesa", gl::Backend::osmesa}};
-  auto store = [&backend, names](const std::string& name) { backend = names.at(name); };
+  auto store = [&backend](const std::string& name) {
+    if (name != "egl" && name != "osmesa")
+      throw Error(fmt::format("--gl {}: expected egl or osmesa", name), Error::Kind::usage);
+    backend = name == "egl" ? gl::Backend::egl : gl::Backend::osmesa;
+  };
   command
       .add_option_function<std::string>(
           "--gl", store,
-          "where OpenGL comes from: egl (no display needed), osmesa (always software) [default egl]")
-      ->type_name("egl|osmesa")
-      ->check(CLI::IsMember(names));
+          "where OpenGL comes from: egl (needs no display), osmesa (always software) [default egl]")
+      ->type_name("egl|osmesa");
 }
 
 }  // namespace sonoskin

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/batch.h"
+#include "app/cli/choices.h"
 #include "app/cli/commands.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
@@ -40,16 +41,10 @@ Command addRunCommand(CLI::App& program, Console& console) {
   command->add_option("--out", batch.folder, "folder for the results; made where missing")
       ->required()
       ->type_name("DIR");
-  command->add_option("--export", batch.meshFormats, "formats of the mesh, with commas [default ply]")
-      ->delimiter(',')
-      ->type_name("ply,stl,obj,glb,3mf")
-      ->expected(1)
-      ->check(CLI::IsMember({"ply", "stl", "obj", "glb", "3mf"}));
-  command->add_option("--keep", options->keep, "results on the way to write too, with commas")
-      ->delimiter(',')
-      ->type_name("classified,thinned,points")
-      ->expected(1)
-      ->check(CLI::IsMember({"classified", "thinned", "points"}));
+  addChoices(*command, "--export", batch.meshFormats, {"ply", "stl", "obj", "glb", "3mf"},
+             "formats of the mesh, with commas");
+  addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},
+             "results on the way to write too, with commas");
   addSizeOption(*command, batch.pictureSize);
   addBackendOption(*command, batch.backend);
   console.addThreads(*command);

@@ -58,7 +58,7 @@ TEST_P(Golden, PictureIsAsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Golden, testing::ValuesIn(goldenCases()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& one) { return one.param; });
 
 TEST(ImageDifference, FindsASmallChangeAndNoneWhereThereIsNone) {
   Image grey{4, 4, std::vector<std::uint8_t>(64, 100)};

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/choices.h"
+#include "app/cli/commands.h"
+#include "app/cli/output_file.h"
+#include "app/cli/parameter_options.h"
+#include "app/cli/picture_options.h"
+#include "app/input.h"
+#include "core/base/timer.h"
+#include "core/io/image.h"
+#include "core/io/mesh_reader.h"
+#include "core/io/mesh_writer.h"
+#include "core/pipeline/pipeline.h"
+#include "render/pictures.h"
+
+namespace sonoskin {
+namespace {
+
+struct RenderOptions {
+  std::string input, out;
+  std::string view = "skin", mode = "dvr";
+  double level = 0;
+  PictureOptions picture;
+  gl::Backend backend = gl::Backend::egl;
+  ParameterOptions parameters;
+};
+
+// Shares of the time of what comes before the picture.
+constexpr double kLoaded = 0.3, kComputed = 0.9;
+
+bool isMeshFile(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return std::ranges::count(meshExtensions(), extension) > 0;
+}
+
+Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                        Console& console) {
+  if (o.view != "skin" && o.view != "mesh") {
+    throw Error(fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.input),
+                Error::Kind::usage);
+  }
+  console.beginStage("reading");
+  const auto mesh = std::make_shared<const Mesh>(readMesh(o.input, console.progress().part(0, kComputed)));
+  // A mesh file does not tell where the probe was: the options do, for the axes of the world.
+  Scan axes;
+  axes.volume = std::make_shared<const Volume<float>>();
+  o.picture.beam = beamOf(axes, parameters.scan);
+  console.beginStage("picture");
+  return pictureOfMesh(context, mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
+}
+
+Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                          Console& console) {
+  console.beginStage(o.input == kPhantomInput ? "simulation" : "reading");
+  const Scan scan = loadInput(o.input, parameters, console.progress().part(0, kLoaded));
+  o.picture.beam = beamOf(scan, parameters.scan);
+  const auto compute = [&](Goal goal) {
+    return Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
+                          [&](const std::string& stage) { console.beginStage(stage); });
+  };
+  if (o.view == "volume") {
+    VolumePictureOptions look;
+    look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
+    look.iso = float(o.level > 0 ? o.level : compute(Goal::classified).isoValue);
+    console.beginStage("picture");
+    return pictureOfVolume(context, scan.volume, look, o.picture);
+  }
+  const Results results = compute(o.view == "slices" ? Goal::points : Goal::mesh);
+  console.beginStage("picture");
+  if (o.view == "slices") {
+    return pictureOfSlices(context, {scan.volume, results.classified, results.thinned, {}}, o.picture.size);
+  }
+  return pictureOfMesh(context, results.mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
+}
+
+void render(RenderOptions& options, Console& console) {
+  const Timer timer;
+  checkOutputFile(options.out, {".png"});
+  parseCamera(options.picture.camera, {}, {}, 1);  // refuses bad words before any work
+  const Parameters parameters = options.parameters.resolve();
+  const auto context = gl::makeOffscreenContext(options.backend);
+  const Image picture = isMeshFile(options.input)
+                            ? pictureOfMeshFile(options, parameters, *context, console)
+                            : pictureOfVolumeFile(options, parameters, *context, console);
+  console.progress().throwIfCancelled();
+  writePng(options.out, picture);
+
+  nlohmann::ordered_json json;
+  json["input"] = inputName(options.input);
+  json["file"] = options.out;
+  json["view"] = options.view;
+  json["size"] = {picture.width, picture.height};
+  json["gl"] = gl::glInfo();
+  json["seconds"] = timer.seconds();
+  console.print(json.dump(2), fmt::format("{}: {} x {} pixels, {}", options.out, picture.width,
+                                          picture.height, gl::glInfo()));
+}
+
+}  // namespace
+
+Command addRenderCommand(CLI::App& program, Console& console) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = program.add_subcommand("render", "one picture of a volume or a mesh");
+  command->add_option("FILE", options->input, "volume or mesh file, or \"phantom\"")
+      ->required()
+      ->type_name("");
+  command->add_option("--out", options->out, "picture to write: .png")->required()->type_name("PNG");
+  addChoice(
+      *command, "--view", options->view, {"skin", "mesh", "volume", "slices"},
+      "skin: the surface with the tone of skin (for now a lit mesh: light does not scatter below the skin "
+      "yet); mesh: plain; volume: ray-cast; slices: raw, classified and thinned");
+  addChoice(*command, "--mode", options->mode, {"iso", "dvr"},
+            "for volume; iso: the first hit, dvr: translucent");
+  command
+      ->add_option("--level", options->level,
+                   "for volume: grey of the skin's border, 0 .. 1; found from the volume by default")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(0.001, 0.999).description(""));
+  command
+      ->add_option("--camera", options->picture.camera,
+                   "probe, front, back, left, right, top, bottom or portrait, and changes to it: azimuth=, "
+                   "elevation=, roll= (degrees), zoom=; with commas [default probe]")
+      ->type_name("WORDS");
+  addSizeOption(*command, options->picture.size);
+  addBackendOption(*command, options->backend);
+  console.addThreads(*command);
+  console.addJson(*command);
+  options->parameters.addTo(*command);
+  return {command, [options, &console] { render(*options, console); }};
+}
+
+}  // namespace sonoskin
