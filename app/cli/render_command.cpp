@@ -13,8 +13,6 @@
 #include "app/input.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
-#include "core/io/mesh_reader.h"
-#include "core/io/mesh_writer.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
 
@@ -32,28 +30,6 @@ struct RenderOptions {
 
 // Shares of the time of what comes before the picture.
 constexpr double kLoaded = 0.3, kComputed = 0.9;
-
-bool isMeshFile(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return std::ranges::count(meshExtensions(), extension) > 0;
-}
-
-Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
-                        Console& console) {
-  if (o.view != "skin" && o.view != "mesh") {
-    throw Error(fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.input),
-                Error::Kind::usage);
-  }
-  console.beginStage("reading");
-  const auto mesh = std::make_shared<const Mesh>(readMesh(o.input, console.progress().part(0, kComputed)));
-  // A mesh file does not tell where the probe was: the options do, for the axes of the world.
-  Scan axes;
-  axes.volume = std::make_shared<const Volume<float>>();
-  o.picture.beam = beamOf(axes, parameters.scan);
-  console.beginStage("picture");
-  return pictureOfMesh(context, mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
-}
 
 Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                           Console& console) {
@@ -85,9 +61,7 @@ void render(RenderOptions& options, Console& console) {
   parseCamera(options.picture.camera, {}, {}, 1);  // refuses bad words before any work
   const Parameters parameters = options.parameters.resolve();
   const auto context = gl::makeOffscreenContext(options.backend);
-  const Image picture = isMeshFile(options.input)
-                            ? pictureOfMeshFile(options, parameters, *context, console)
-                            : pictureOfVolumeFile(options, parameters, *context, console);
+  const Image picture = pictureOfVolumeFile(options, parameters, *context, console);
   console.progress().throwIfCancelled();
   writePng(options.out, picture);
 
