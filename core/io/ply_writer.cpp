@@ -1,18 +1,13 @@
-#include "core/io/ply_writer.h"
+#include <fmt/format.h>
 
-#include <bit>
-#include <cstring>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/byte_sink.h"
+#include "core/io/mesh_encoders.h"
 
 namespace sonoskin {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the numbers are written as they lie in memory");
-
-constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
 
 std::string header(const Mesh& mesh) {
   std::string text = fmt::format(
@@ -27,32 +22,24 @@ std::string header(const Mesh& mesh) {
   return text;
 }
 
-template <class T>
-std::uint8_t* put(std::uint8_t* out, const T& value) {
-  std::memcpy(out, &value, sizeof value);
-  return out + sizeof value;
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> encodePly(const Mesh& mesh) {
+Bytes encodePly(const Mesh& mesh) {
   const bool normals = !mesh.normals.empty(), visibility = !mesh.visibility.empty();
   const std::string head = header(mesh);
   const std::size_t vertexBytes = sizeof(float) * (3 + (normals ? 3 : 0) + (visibility ? 1 : 0));
-  std::vector<std::uint8_t> bytes(head.size() + vertexBytes * mesh.positions.size() +
-                                  kFaceBytes * mesh.triangles.size());
-  std::memcpy(bytes.data(), head.data(), head.size());
-  std::uint8_t* out = bytes.data() + head.size();
+  ByteSink out(head.size() + vertexBytes * mesh.positions.size() + 13 * mesh.triangles.size());
+  out.text(head);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    out = put(out, mesh.positions[v]);
-    if (normals) out = put(out, mesh.normals[v]);
-    if (visibility) out = put(out, mesh.visibility[v]);
+    out.number(mesh.positions[v]);
+    if (normals) out.number(mesh.normals[v]);
+    if (visibility) out.number(mesh.visibility[v]);
   }
   for (const Triangle& t : mesh.triangles) {
-    *out++ = 3;
-    out = put(out, t);
+    out.number(std::uint8_t(3));
+    out.number(t);
   }
-  return bytes;
+  return out.take();
 }
 
 }  // namespace sonoskin

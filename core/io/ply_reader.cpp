@@ -1,0 +1,259 @@
+#include "core/io/ply_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/header_text.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers of big-endian files are turned round");
+
+enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class Format { text, little, big };
+
+struct Property {
+  std::string name;
+  Type type = Type::float32;
+  std::optional<Type> count;  // of a list
+};
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+struct Header {
+  Format format = Format::text;
+  std::vector<Element> elements;
+  std::size_t bytes = 0;
+};
+
+std::optional<Type> typeOf(std::string_view name) {
+  static constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"char", "int8"},
+                                                                          {"uchar", "uint8"},
+                                                                          {"short", "int16"},
+                                                                          {"ushort", "uint16"},
+                                                                          {"int", "int32"},
+                                                                          {"uint", "uint32"},
+                                                                          {"float", "float32"},
+                                                                          {"double", "float64"}}};
+  for (std::size_t t = 0; t < kNames.size(); ++t)
+    if (name == kNames[t][0] || name == kNames[t][1]) return Type(t);
+  return {};
+}
+
+std::size_t bytesOf(Type type) { return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[std::size_t(type)]; }
+
+[[noreturn]] void failHeader(const fs::path& path) {
+  throw Error(fmt::format("{} is not a complete PLY file; get a fresh copy.", path.string()));
+}
+[[noreturn]] void failBody(const fs::path& path) {
+  throw Error(fmt::format("{} is damaged or ends too early; get a fresh copy.", path.string()));
+}
+
+// Adds what one line of the header says; false where it makes no sense.
+bool addLine(const std::vector<std::string_view>& line, Header& header) {
+  const std::string_view word = line[0];
+  if (word == "comment" || word == "obj_info") return true;
+  if (word == "format" && line.size() >= 2) {
+    if (line[1] == "ascii") header.format = Format::text;
+    else if (line[1] == "binary_little_endian") header.format = Format::little;
+    else if (line[1] == "binary_big_endian") header.format = Format::big;
+    else return false;
+    return true;
+  }
+  if (word == "element" && line.size() == 3) {
+    const auto count = parseNumber<std::uint64_t>(line[2]);
+    if (count) header.elements.push_back({std::string(line[1]), *count, {}});
+    return count.has_value();
+  }
+  if (word != "property" || header.elements.empty()) return false;
+  Property property;
+  const bool list = line.size() == 5 && line[1] == "list";
+  if (!list && line.size() != 3) return false;
+  const auto type = typeOf(line[list ? 3 : 1]);
+  if (list) property.count = typeOf(line[2]);
+  if (!type || (list && !property.count)) return false;
+  property.type = *type;
+  property.name = line.back();
+  header.elements.back().properties.push_back(property);
+  return true;
+}
+
+Header parseHeader(std::string_view text, const fs::path& path) {
+  Header header;
+  HeaderLines lines(text);
+  const auto magic = lines.next();
+  if (!magic || trimmed(*magic) != "ply") failHeader(path);
+  while (const auto line = lines.next()) {
+    const auto parts = words(*line);
+    if (parts.empty()) continue;
+    if (parts[0] == "end_header") {
+      header.bytes = lines.position();
+      return header;
+    }
+    if (!addLine(parts, header)) failHeader(path);
+  }
+  failHeader(path);
+}
+
+// The numbers of the body, one after another.
+class Body {
+ public:
+  Body(std::string_view bytes, Format format, const fs::path& path) : bytes_(bytes), format_(format), path_(path) {}
+
+  double next(Type type) { return format_ == Format::text ? nextText() : nextBinary(type); }
+  std::size_t left() const { return bytes_.size() - at_; }
+  // least: the fewest bytes that a number can take.
+  std::size_t least(Type type) const { return format_ == Format::text ? 1 : bytesOf(type); }
+
+ private:
+  double nextText() {
+    while (at_ < bytes_.size() && isBlank(bytes_[at_])) ++at_;
+    const std::size_t begin = at_;
+    while (at_ < bytes_.size() && !isBlank(bytes_[at_])) ++at_;
+    const auto value = parseNumber<double>(bytes_.substr(begin, at_ - begin));
+    if (!value) failBody(path_);
+    return *value;
+  }
+  double nextBinary(Type type) {
+    switch (type) {
+      case Type::int8: return take<std::int8_t>();
+      case Type::uint8: return take<std::uint8_t>();
+      case Type::int16: return take<std::int16_t>();
+      case Type::uint16: return take<std::uint16_t>();
+      case Type::int32: return take<std::int32_t>();
+      case Type::uint32: return take<std::uint32_t>();
+      case Type::float32: return double(take<float>());
+      case Type::float64: return take<double>();
+    }
+    return 0;
+  }
+  template <class T>
+  T take() {
+    if (left() < sizeof(T)) failBody(path_);
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
+    if (format_ == Format::big) std::reverse(raw.begin(), raw.end());
+    at_ += sizeof(T);
+    return std::bit_cast<T>(raw);
+  }
+  static bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  Format format_;
+  const fs::path& path_;
+};
+
+// An element takes at least this many bytes each: a declared count beyond the file's end is refused at once.
+void checkRoom(const Element& element, const Body& body, const fs::path& path) {
+  std::uint64_t each = 0;
+  for (const Property& p : element.properties) each += body.least(p.count.value_or(p.type));
+  if (element.count > body.left() / std::max<std::uint64_t>(each, 1)) failBody(path);
+}
+
+void skipProperty(const Property& property, Body& body) {
+  if (!property.count) {
+    body.next(property.type);
+    return;
+  }
+  const double count = body.next(*property.count);
+  for (double n = 0; n < count; ++n) body.next(property.type);
+}
+
+void readVertices(const Element& element, Body& body, Mesh& mesh, const Progress& progress) {
+  static constexpr std::array<std::string_view, 7> kNames{"x", "y", "z", "nx", "ny", "nz", "visibility"};
+  std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
+  std::array<bool, 7> has{};
+  for (const Property& p : element.properties) {
+    const auto found = p.count ? kNames.end() : std::find(kNames.begin(), kNames.end(), p.name);
+    slots.push_back(std::size_t(found - kNames.begin()));
+    if (found != kNames.end()) has[slots.back()] = true;
+  }
+  const bool normals = has[3] && has[4] && has[5];
+  for (std::uint64_t v = 0; v < element.count; ++v) {
+    if (v % 65536 == 0) progress.update(double(v) / double(element.count));
+    std::array<float, 8> values{};
+    for (std::size_t p = 0; p < slots.size(); ++p) {
+      if (slots[p] == kNames.size())
+        skipProperty(element.properties[p], body);
+      else
+        values[slots[p]] = float(body.next(element.properties[p].type));
+    }
+    mesh.positions.emplace_back(values[0], values[1], values[2]);
+    if (normals) mesh.normals.emplace_back(values[3], values[4], values[5]);
+    if (has[6]) mesh.visibility.push_back(values[6]);
+  }
+}
+
+void readPolygon(const Property& property, Body& body, std::vector<Triangle>& triangles, const fs::path& path) {
+  const auto index = [&] {
+    const double value = body.next(property.type);
+    if (!(value >= 0 && value <= double(UINT32_MAX)) || value != std::floor(value)) failBody(path);
+    return std::uint32_t(value);
+  };
+  const double count = body.next(*property.count);
+  if (!(count >= 0) || count * double(body.least(property.type)) > double(body.left())) failBody(path);
+  Triangle fan{};
+  for (double n = 0; n < count; ++n) {
+    fan[n < 2 ? std::size_t(n) : 2] = index();
+    if (n < 2) continue;
+    triangles.push_back(fan);
+    fan[1] = fan[2];
+  }
+}
+
+void readFaces(const Element& element, Body& body, Mesh& mesh, const fs::path& path, const Progress& progress) {
+  for (std::uint64_t f = 0; f < element.count; ++f) {
+    if (f % 65536 == 0) progress.update(double(f) / double(element.count));
+    for (const Property& p : element.properties) {
+      if (p.count && (p.name == "vertex_indices" || p.name == "vertex_index"))
+        readPolygon(p, body, mesh.triangles, path);
+      else
+        skipProperty(p, body);
+    }
+  }
+}
+
+void checkResult(const Mesh& mesh, const fs::path& path) {
+  require(!mesh.positions.empty() && !mesh.triangles.empty(), "{} holds no triangles; choose a surface.",
+          path.string());
+  for (const glm::vec3& p : mesh.positions)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) failBody(path);
+  for (const Triangle& t : mesh.triangles)
+    if (std::max({t[0], t[1], t[2]}) >= mesh.positions.size()) failBody(path);
+}
+
+}  // namespace
+
+Mesh readPly(const fs::path& path, const Progress& progress) {
+  const std::vector<std::uint8_t> bytes = readBytes(path);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const Header header = parseHeader(text, path);
+  Body body(text.substr(header.bytes), header.format, path);
+  Mesh mesh;
+  for (const Element& element : header.elements) {
+    checkRoom(element, body, path);
+    if (element.name == "vertex")
+      readVertices(element, body, mesh, progress.part(0, 0.5));
+    else if (element.name == "face")
+      readFaces(element, body, mesh, path, progress.part(0.5, 1));
+    else
+      for (std::uint64_t n = 0; n < element.count; ++n)
+        for (const Property& p : element.properties) skipProperty(p, body);
+  }
+  checkResult(mesh, path);
+  return mesh;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+
+namespace sonoskin {
+
+// readPly: reads text and binary PLY of either byte order; elements and properties that a Mesh does not have are
+// skipped, polygons are split into fans.
+//   output  as in the file: no change of axes; normals and visibility only where the file has them
+//   errors  Error: damaged or incomplete; more elements than the file has room for (looked at before memory is
+//           taken for them); positions that are not finite; Cancelled
+Mesh readPly(const std::filesystem::path& path, const Progress& progress = {});
+
+}  // namespace sonoskin

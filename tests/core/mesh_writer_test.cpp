@@ -1,0 +1,113 @@
+#include "core/io/mesh_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/io/mesh_reader.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/meshes.h"
+#include "tests/support/temp_folder.h"
+
+namespace sonoskin {
+namespace {
+
+using test::expectError;
+using test::fileText;
+using test::icosphere;
+using test::TempFolder;
+
+// STL, OBJ, GLB and 3MF are written by us and read by assimp: two programs must agree.
+class MeshFormat : public testing::TestWithParam<const char*> {};
+
+TEST_P(MeshFormat, ComesBackAsItWas) {
+  const TempFolder folder;
+  const Mesh mesh = icosphere(2, 31.5f, {10, -20.25f, 30.125f});
+  const auto path = folder / (std::string("a") + GetParam());
+  writeMesh(path, mesh);
+  EXPECT_EQ(folder.entries(), 1);
+  const Mesh read = readMesh(path);
+  EXPECT_EQ(read.positions.size(), mesh.positions.size());
+  ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
+  // Vertices may come in another order; triangles keep theirs, and their first corners too.
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = mesh.triangles[t][c], b = read.triangles[t][c];
+      ASSERT_LT(glm::distance(mesh.positions[a], read.positions[b]), 2e-5f) << "triangle " << t;
+      ASSERT_GT(glm::dot(mesh.normals[a], read.normals[b]), 0.99f) << "triangle " << t;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MeshFormat, testing::Values(".ply", ".stl", ".obj", ".glb", ".3mf"));
+
+TEST(WriteMesh, SaysUnitAndFrameInTheHeader) {
+  const TempFolder folder;
+  for (const char* name : {"a.ply", "a.stl", "a.obj"}) {
+    writeMesh(folder / name, icosphere(0, 1, {}));
+    const std::string head = fileText(folder / name).substr(0, 80 + (std::string(name) == "a.ply" ? 80 : 0));
+    EXPECT_NE(head.find("units mm, SPACE=LPS"), std::string::npos) << name;
+    EXPECT_FALSE(head.starts_with("solid"));
+  }
+  EXPECT_EQ(std::filesystem::file_size(folder / "a.stl"), 84u + 50 * 20);
+}
+
+TEST(WriteMesh, PlyKeepsVisibility) {
+  const TempFolder folder;
+  Mesh mesh = icosphere(1, 1, {});
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.visibility.push_back(float(v) / 41);
+  writeMesh(folder / "a.ply", mesh);
+  const Mesh read = readMesh(folder / "a.ply");
+  EXPECT_EQ(read.visibility, mesh.visibility);
+  EXPECT_EQ(read.positions, mesh.positions);
+  EXPECT_EQ(read.normals, mesh.normals);
+  EXPECT_EQ(read.triangles, mesh.triangles);
+}
+
+TEST(WriteMesh, GlbStandsUprightInMetres) {
+  const TempFolder folder;
+  Mesh mesh = icosphere(1, 100, {1, 2, 3000});  // the head is up: large z in LPS
+  mesh.visibility.assign(mesh.positions.size(), 0.5f);
+  writeMesh(folder / "a.glb", mesh);
+  const std::string bytes = fileText(folder / "a.glb");
+  std::uint32_t head[5];
+  std::memcpy(head, bytes.data(), sizeof head);
+  EXPECT_EQ(head[2], bytes.size());
+  EXPECT_EQ(bytes.size() % 4, 0u);
+  const auto json = nlohmann::json::parse(bytes.substr(20, head[3]));
+  const auto& position = json["accessors"][0];
+  EXPECT_NEAR(position["max"][1].get<double>(), 3.1, 0.01);
+  EXPECT_NEAR(position["max"][2].get<double>(), 0.098, 0.01);
+  EXPECT_TRUE(json["meshes"][0]["primitives"][0]["attributes"].contains("_VISIBILITY"));
+  EXPECT_EQ(json["buffers"][0]["byteLength"].get<std::size_t>() + 28 + head[3], bytes.size());
+}
+
+TEST(WriteMesh, RefusesWhatItCannotWrite) {
+  const TempFolder folder;
+  Mesh mesh = icosphere(0, 1, {});
+  expectError([&] { writeMesh(folder / "a.fbx", mesh); }, ".ply, .stl, .obj, .glb, .3mf", Error::Kind::usage);
+  expectError([&] { writeMesh(folder / "a.ply", Mesh{}); }, "no surface");
+  Mesh bad = mesh;
+  bad.triangles[3][1] = 12;
+  expectError([&] { writeMesh(folder / "a.ply", bad); }, "does not exist");
+  bad = mesh;
+  bad.normals.pop_back();
+  expectError([&] { writeMesh(folder / "a.ply", bad); }, "11 normals");
+  bad = mesh;
+  bad.positions[2].y = std::numeric_limits<float>::quiet_NaN();
+  expectError([&] { writeMesh(folder / "a.stl", bad); }, "no finite position");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteMesh, LeavesNothingWhenCancelled) {
+  const TempFolder folder;
+  ProgressSink sink;
+  sink.cancel = true;
+  EXPECT_THROW(writeMesh(folder / "a.ply", icosphere(0, 1, {}), Progress(sink)), Cancelled);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+}  // namespace
+}  // namespace sonoskin
