@@ -9,7 +9,7 @@
 namespace sonoskin {
 namespace {
 
-constexpr int kFloat = 5126, kUnsignedInt = 5125;          // component types
+constexpr int kFloat = 5126, kUnsignedInt = 5125;            // component types
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // what a part of the buffer is for
 
 using nlohmann::json;
@@ -39,10 +39,11 @@ struct Document {
 };
 
 json material() {
-  return {{"name", "skin"},
-          {"doubleSided", true},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", {0.78, 0.53, 0.42, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.55}}}};
+  return {
+      {"name", "skin"},
+      {"doubleSided", true},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor", {0.78, 0.53, 0.42, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.55}}}};
 }
 
 Document document(const Mesh& mesh) {

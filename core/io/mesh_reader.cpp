@@ -89,7 +89,8 @@ class Collector {
 
 // assimp trusts the count of a binary STL's triangles.
 void checkStl(const std::vector<std::uint8_t>& bytes, const fs::path& path) {
-  if (bytes.size() >= 5 && !std::memcmp(bytes.data(), "solid", 5)) return;  // text, or a binary file that says so
+  if (bytes.size() >= 5 && !std::memcmp(bytes.data(), "solid", 5))
+    return;  // text, or a binary file that says so
   std::uint32_t triangles = 0;
   if (bytes.size() >= 84) std::memcpy(&triangles, bytes.data() + 80, 4);
   require(bytes.size() >= 84 && bytes.size() - 84 >= std::uint64_t(50) * triangles,
@@ -109,11 +110,12 @@ Mesh readWithAssimp(const fs::path& path, const std::string& extension) {
                                                           aiComponent_TEXTURES);
   const aiScene* scene = nullptr;
   try {
-    scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_RemoveComponent,
-                                        extension.c_str() + 1);
+    scene = importer.ReadFileFromMemory(
+        bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_RemoveComponent, extension.c_str() + 1);
   } catch (const std::exception&) {  // such as std::bad_alloc, which assimp lets through
   }
-  require(scene && scene->mRootNode, "{} is damaged, incomplete or of a kind that is not known here.", path.string());
+  require(scene && scene->mRootNode, "{} is damaged, incomplete or of a kind that is not known here.",
+          path.string());
   return Collector(*scene, path).collect();
 }
 
@@ -142,9 +144,11 @@ Mesh readMesh(const fs::path& path, const Progress& progress) {
   progress.update(0.9);
   require(!mesh.empty(), "{} holds no triangles; choose a surface.", path.string());
   if (extension == ".glb")
-    turn(mesh, [](const glm::vec3& v) { return glm::vec3(v.x, -v.z, v.y); }, 1000);
+    turn(
+        mesh, [](const glm::vec3& v) { return glm::vec3(v.x, -v.z, v.y); }, 1000);
   else if (extension != ".3mf" && saysRas(path))
-    turn(mesh, [](const glm::vec3& v) { return glm::vec3(-v.x, -v.y, v.z); }, 1);
+    turn(
+        mesh, [](const glm::vec3& v) { return glm::vec3(-v.x, -v.y, v.z); }, 1);
   if (mesh.normals.empty()) computeNormals(mesh);
   progress.update(1);
   return mesh;

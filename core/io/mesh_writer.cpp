@@ -18,8 +18,11 @@ struct Format {
   const char* extension;
   Bytes (*encode)(const Mesh&);
 };
-constexpr std::array<Format, 5> kFormats{
-    {{".ply", encodePly}, {".stl", encodeStl}, {".obj", encodeObj}, {".glb", encodeGlb}, {".3mf", encode3mf}}};
+constexpr std::array<Format, 5> kFormats{{{".ply", encodePly},
+                                          {".stl", encodeStl},
+                                          {".obj", encodeObj},
+                                          {".glb", encodeGlb},
+                                          {".3mf", encode3mf}}};
 
 const Format& formatOf(const std::filesystem::path& path) {
   const std::string extension = lowerExtension(path);

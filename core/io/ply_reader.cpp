@@ -51,7 +51,9 @@ std::optional<Type> typeOf(std::string_view name) {
   return {};
 }
 
-std::size_t bytesOf(Type type) { return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[std::size_t(type)]; }
+std::size_t bytesOf(Type type) {
+  return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[std::size_t(type)];
+}
 
 [[noreturn]] void failHeader(const fs::path& path) {
   throw Error(fmt::format("{} is not a complete PLY file; get a fresh copy.", path.string()));
@@ -65,10 +67,14 @@ bool addLine(const std::vector<std::string_view>& line, Header& header) {
   const std::string_view word = line[0];
   if (word == "comment" || word == "obj_info") return true;
   if (word == "format" && line.size() >= 2) {
-    if (line[1] == "ascii") header.format = Format::text;
-    else if (line[1] == "binary_little_endian") header.format = Format::little;
-    else if (line[1] == "binary_big_endian") header.format = Format::big;
-    else return false;
+    if (line[1] == "ascii")
+      header.format = Format::text;
+    else if (line[1] == "binary_little_endian")
+      header.format = Format::little;
+    else if (line[1] == "binary_big_endian")
+      header.format = Format::big;
+    else
+      return false;
     return true;
   }
   if (word == "element" && line.size() == 3) {
@@ -109,7 +115,8 @@ Header parseHeader(std::string_view text, const fs::path& path) {
 // The numbers of the body, one after another.
 class Body {
  public:
-  Body(std::string_view bytes, Format format, const fs::path& path) : bytes_(bytes), format_(format), path_(path) {}
+  Body(std::string_view bytes, Format format, const fs::path& path)
+      : bytes_(bytes), format_(format), path_(path) {}
 
   double next(Type type) { return format_ == Format::text ? nextText() : nextBinary(type); }
   std::size_t left() const { return bytes_.size() - at_; }
@@ -127,14 +134,22 @@ class Body {
   }
   double nextBinary(Type type) {
     switch (type) {
-      case Type::int8: return take<std::int8_t>();
-      case Type::uint8: return take<std::uint8_t>();
-      case Type::int16: return take<std::int16_t>();
-      case Type::uint16: return take<std::uint16_t>();
-      case Type::int32: return take<std::int32_t>();
-      case Type::uint32: return take<std::uint32_t>();
-      case Type::float32: return double(take<float>());
-      case Type::float64: return take<double>();
+      case Type::int8:
+        return take<std::int8_t>();
+      case Type::uint8:
+        return take<std::uint8_t>();
+      case Type::int16:
+        return take<std::int16_t>();
+      case Type::uint16:
+        return take<std::uint16_t>();
+      case Type::int32:
+        return take<std::int32_t>();
+      case Type::uint32:
+        return take<std::uint32_t>();
+      case Type::float32:
+        return double(take<float>());
+      case Type::float64:
+        return take<double>();
     }
     return 0;
   }
@@ -196,7 +211,8 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, const Progress
   }
 }
 
-void readPolygon(const Property& property, Body& body, std::vector<Triangle>& triangles, const fs::path& path) {
+void readPolygon(const Property& property, Body& body, std::vector<Triangle>& triangles,
+                 const fs::path& path) {
   const auto index = [&] {
     const double value = body.next(property.type);
     if (!(value >= 0 && value <= double(UINT32_MAX)) || value != std::floor(value)) failBody(path);
@@ -213,7 +229,8 @@ void readPolygon(const Property& property, Body& body, std::vector<Triangle>& tr
   }
 }
 
-void readFaces(const Element& element, Body& body, Mesh& mesh, const fs::path& path, const Progress& progress) {
+void readFaces(const Element& element, Body& body, Mesh& mesh, const fs::path& path,
+               const Progress& progress) {
   for (std::uint64_t f = 0; f < element.count; ++f) {
     if (f % 65536 == 0) progress.update(double(f) / double(element.count));
     for (const Property& p : element.properties) {

@@ -50,7 +50,8 @@ std::string model(const Mesh& mesh) {
 }  // namespace
 
 Bytes encode3mf(const Mesh& mesh) {
-  return zipFiles({{"[Content_Types].xml", kTypes}, {"_rels/.rels", kRelations}, {"3D/3dmodel.model", model(mesh)}});
+  return zipFiles(
+      {{"[Content_Types].xml", kTypes}, {"_rels/.rels", kRelations}, {"3D/3dmodel.model", model(mesh)}});
 }
 
 }  // namespace sonoskin

@@ -74,7 +74,8 @@ std::vector<std::uint8_t> zipFiles(const std::vector<std::pair<std::string, std:
   ByteSink out;
   std::vector<Entry> entries;
   for (const auto& [name, content] : files) {
-    require(content.size() + out.size() < 0xF0000000u, "The surface is too large for this format; write PLY instead.");
+    require(content.size() + out.size() < 0xF0000000u,
+            "The surface is too large for this format; write PLY instead.");
     const std::vector<std::uint8_t> packed = deflated(content);
     const auto crc = crc32(0, reinterpret_cast<const Bytef*>(content.data()), uInt(content.size()));
     entries.push_back({name, std::uint32_t(crc), std::uint32_t(packed.size()), std::uint32_t(content.size()),
