@@ -1,0 +1,160 @@
+#include "core/rbf/iso_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/marching_cubes.h"
+#include "core/mesh/mesh_check.h"
+#include "core/rbf/brick_mesher.h"
+#include "tests/support/synthetic_points.h"
+
+namespace sonoskin {
+namespace {
+
+MeshOptions coarse(int resolution) {
+  MeshOptions options;
+  options.resolution = resolution;
+  return options;
+}
+
+SurfacePoints hemisphere(const SurfacePoints& sphere) {
+  SurfacePoints half;
+  for (std::size_t i = 0; i < sphere.size(); ++i) {
+    if (sphere.positions[i].z < 0) continue;
+    half.positions.push_back(sphere.positions[i]);
+    half.normals.push_back(sphere.normals[i]);
+    half.confidence.push_back(1);
+  }
+  return half;
+}
+
+TEST(IsoSurface, ASphereIsClosedWithNormalsOutward) {
+  const SurfacePoints points = noisySphere();
+  ReconstructionOptions smooth;
+  smooth.smoothness = 1.5e-4;
+  const CsrbfModel model = fitCsrbf(points, smooth);
+  const Mesh mesh = extractIsoSurface(model, points, coarse(100));
+  const MeshCheck check = checkMesh(mesh);
+  EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
+  EXPECT_EQ(check.euler, 2);
+  EXPECT_EQ(check.usedVertices, mesh.positions.size());
+  EXPECT_GT(enclosedVolume(mesh), 0);
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+  double squares = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const glm::vec3 p = mesh.positions[v];
+    squares += std::pow(glm::length(p) - 40.f, 2);
+    ASSERT_GT(glm::dot(mesh.normals[v], glm::normalize(p)), 0.97f);
+    ASSERT_GT(glm::dot(mesh.normals[v], glm::normalize(model.gradient(p))), 0.9999f);
+    ASSERT_LT(std::abs(model.sample(p).value), 0.03f);
+  }
+  EXPECT_LT(std::sqrt(squares / double(mesh.positions.size())), 0.5 * 0.3);  // half the noise of the points
+}
+
+// The sparse bricks must give the triangles that marching cubes gives on the whole grid.
+TEST(IsoSurface, BricksGiveTheMeshOfTheDenseGrid) {
+  const SurfacePoints points = spherePoints(3000, 10, 0.05);
+  const CsrbfModel model = fitCsrbf(points, {});
+  const float cell = 0.4f;
+  const CentreIndex index(model.centres(), 16 * cell, BrickField::reach(cell));
+  const BrickField field = sampleBricks(index, points.positions, cell, 6 * cell);
+  const auto keepAll = [](std::size_t, const glm::vec3&, float) { return true; };
+  const Mesh sparse = meshBricks(field, keepAll).mesh;
+
+  Geometry g;
+  g.dims = kBrickEdge * field.map.bricks();
+  g.spacing = glm::dvec3(double(cell));
+  g.origin = glm::dvec3(field.origin);
+  Volume<float> dense(g);
+  for (int k = 0; k < g.dims.z; ++k)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i) {
+        const CsrbfModel::Sample s = model.sample(glm::vec3(g.toWorld({i, j, k})));
+        dense.at(i, j, k) = s.coverage < 0.01f ? std::numeric_limits<float>::quiet_NaN() : s.value;
+      }
+  const Mesh expected = marchingCubes(dense, 0);
+  ASSERT_EQ(sparse.positions.size(), expected.positions.size());
+  ASSERT_EQ(sparse.triangles.size(), expected.triangles.size());
+  const auto centroids = [](const Mesh& mesh) {
+    std::vector<std::array<int, 3>> result;
+    for (const Triangle& t : mesh.triangles) {
+      const glm::vec3 c = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (100.f / 3);
+      result.push_back({int(std::lround(c.x)), int(std::lround(c.y)), int(std::lround(c.z))});
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto a = centroids(sparse), b = centroids(expected);
+  std::size_t same = 0;  // up to a hundredth of a mm, except where rounding falls on the limit
+  std::vector<std::array<int, 3>> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  same = common.size();
+  EXPECT_GT(double(same), 0.99 * double(a.size()));
+  EXPECT_EQ(enclosedVolume(sparse) > 0, enclosedVolume(expected) > 0);
+  EXPECT_NEAR(enclosedVolume(sparse), enclosedVolume(expected), 1e-5 * enclosedVolume(expected));
+}
+
+TEST(IsoSurface, AnOpenSurfaceIsCutOffWhereItIsNotSupported) {
+  const SurfacePoints points = hemisphere(noisySphere());
+  const CsrbfModel model = fitCsrbf(points, {});
+  MeshOptions options = coarse(80);
+  const Mesh mesh = extractIsoSurface(model, points, options);
+  const MeshCheck check = checkMesh(mesh);
+  EXPECT_GT(check.boundaryEdges, 100u);
+  EXPECT_TRUE(check.manifold() && check.oriented());
+  const double h = pointSpacing(points.positions);
+  float lowest = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    lowest = std::min(lowest, p.z);
+    ASSERT_GT(model.sample(p).coverage, float(options.support) - 0.02f);
+  }
+  EXPECT_GT(lowest, -float(options.maxGap * h) - 0.5f);  // a point is within the gap
+  options.support = 0.05;
+  options.maxGap = 100;
+  float farther = 0;
+  for (const glm::vec3& p : extractIsoSurface(model, points, options).positions)
+    farther = std::min(farther, p.z);
+  EXPECT_LT(farther, lowest - 1);
+}
+
+TEST(IsoSurface, TheThreadCountChangesNothing) {
+  const SurfacePoints points = spherePoints(3000, 10, 0.05);
+  Mesh meshes[2];
+  for (const int threads : {1, 5}) {
+    setThreadCount(threads);
+    meshes[threads == 5] = extractIsoSurface(fitCsrbf(points, {}), points, coarse(60));
+  }
+  setThreadCount(0);
+  EXPECT_EQ(meshes[0].positions, meshes[1].positions);
+  EXPECT_EQ(meshes[0].normals, meshes[1].normals);
+  EXPECT_EQ(meshes[0].triangles, meshes[1].triangles);
+}
+
+TEST(IsoSurface, RefusesNothingAndStopsWhenCancelled) {
+  const SurfacePoints points = spherePoints(1000, 10);
+  EXPECT_THROW(extractIsoSurface({}, {}, {}), Error);
+  const CsrbfModel model = fitCsrbf(points, {});
+  ProgressSink sink;
+  sink.report = [&](double fraction) { sink.cancel = fraction > 0.3; };
+  EXPECT_THROW(extractIsoSurface(model, points, coarse(100), Progress(sink)), Cancelled);
+}
+
+TEST(IsoSurface, BrickMapRemembersWhatWasInserted) {
+  BrickMap map({20, 9, 33});
+  EXPECT_EQ(map.find({3, 4, 5}), BrickMap::kNone);
+  map.insert({3, 4, 5}, 7);
+  map.insert({19, 8, 32}, 8);
+  EXPECT_EQ(map.find({3, 4, 5}), 7);
+  EXPECT_EQ(map.find({19, 8, 32}), 8);
+  EXPECT_EQ(map.find({3, 4, 6}), BrickMap::kNone);
+  EXPECT_EQ(map.find({-1, 4, 5}), BrickMap::kNone);
+  EXPECT_EQ(map.find({3, 9, 5}), BrickMap::kNone);
+}
+
+}  // namespace
+}  // namespace sonoskin
