@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace sonoskin {
+
+// ClosestPoint: the place of a triangle nearest to a query, as barycentric weights of its corners.
+struct ClosestPoint {
+  glm::vec3 position{0};
+  glm::vec3 weights{1, 0, 0};
+};
+
+// closestPointOnTriangle: exact, also for triangles without area.
+//   method   the corner, edge or inside region in which the query's projection lies       [Ericson 2005, ch. 5.1.5]
+inline ClosestPoint closestPointOnTriangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
+                                           const glm::vec3& c) {
+  const glm::vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {a, {1, 0, 0}};
+  const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {b, {0, 1, 0}};
+  const float d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
+  const float vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const float t = d1 / (d1 - d3);
+    return {a + t * ab, {1 - t, t, 0}};
+  }
+  const float vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const float t = d2 / (d2 - d6);
+    return {a + t * ac, {1 - t, 0, t}};
+  }
+  const float va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    const float t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {b + t * (c - b), {0, 1 - t, t}};
+  }
+  const float scale = 1 / (va + vb + vc), v = vb * scale, w = vc * scale;
+  return {a + v * ab + w * ac, {1 - v - w, v, w}};
+}
+
+}  // namespace sonoskin
