@@ -92,6 +92,21 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress) {
   return pieces;
 }
 
+Mesh joinPieces(const std::vector<Mesh>& pieces) {
+  Mesh whole;
+  for (const Mesh& piece : pieces) {
+    const auto first = std::uint32_t(whole.positions.size());
+    whole.positions.insert(whole.positions.end(), piece.positions.begin(), piece.positions.end());
+    whole.normals.insert(whole.normals.end(), piece.normals.begin(), piece.normals.end());
+    whole.visibility.insert(whole.visibility.end(), piece.visibility.begin(), piece.visibility.end());
+    for (const Triangle& t : piece.triangles)
+      whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  if (whole.normals.size() != whole.positions.size()) whole.normals.clear();
+  if (whole.visibility.size() != whole.positions.size()) whole.visibility.clear();
+  return whole;
+}
+
 std::size_t pieceNearest(const std::vector<Mesh>& pieces, const glm::vec3& point) {
   require(!pieces.empty(), "There is no surface to choose from.");
   std::size_t nearest = 0;

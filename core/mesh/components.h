@@ -12,6 +12,9 @@ namespace sonoskin {
 //   errors   Cancelled
 std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress = {});
 
+// joinPieces: one mesh of all pieces. Normals and visibility are kept where every piece has them.
+Mesh joinPieces(const std::vector<Mesh>& pieces);
+
 // pieceNearest: the piece with the triangle nearest to a point.
 //   errors   Error: there is no piece
 std::size_t pieceNearest(const std::vector<Mesh>& pieces, const glm::vec3& point);

@@ -4,9 +4,12 @@
 #include "core/base/timer.h"
 #include "core/classification/classify.h"
 #include "core/classification/iso_value.h"
+#include "core/mesh/components.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/parameter_key.h"
 #include "core/pipeline/stage.h"
+#include "core/rbf/csrbf_model.h"
+#include "core/rbf/iso_surface.h"
 #include "core/surface/clusters.h"
 #include "core/volume/resample.h"
 
@@ -28,6 +31,14 @@ struct Points {
 std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
 std::size_t bytesOf(const Volume<float>& v) { return v.data.size() * sizeof(float); }
 std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points->size() * 28; }
+std::size_t bytesOf(const CsrbfModel& m) { return m.bytes(); }
+std::size_t bytesOf(const Mesh& m) { return m.positions.size() * 24 + m.triangles.size() * sizeof(Triangle); }
+std::size_t bytesOf(const std::vector<Mesh>& pieces) {
+  std::size_t bytes = 0;
+  for (const Mesh& m : pieces) bytes += bytesOf(m);
+  return bytes;
+}
+
 Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress& progress) {
   Prepared result;
   result.smoothed = smooth(*scan.volume, parameters.classification, progress.part(0, 0.7));
@@ -49,12 +60,38 @@ Points findPoints(const Volume<float>& classified, const Prepared& prepared, con
       std::make_shared<const SurfacePoints>(extractSurfacePoints(voxels, lowPassed, progress.part(0.8, 1)))};
 }
 
+glm::dvec3 centreOf(const Geometry& g) { return g.toWorld(0.5 * glm::dvec3(g.dims - 1)); }
+
+// The piece of the surface that the options ask for.
+Mesh choosePiece(const std::vector<Mesh>& pieces, const MeshOptions& options, const Beam& beam,
+                 const glm::dvec3& middle) {
+  require(!pieces.empty(), "the surface is empty: lower mesh.support or raise mesh.maxGap");
+  switch (options.piece) {
+    case PieceChoice::probe:
+      return pieces[pieceInView(pieces, beam, middle)];
+    case PieceChoice::largest:
+      return pieces.front();
+    case PieceChoice::index:
+      require(std::size_t(options.pieceIndex) < pieces.size(),
+              "mesh.pieceIndex is {}, but the surface has {} pieces, numbered from 0", options.pieceIndex,
+              pieces.size());
+      return pieces[std::size_t(options.pieceIndex)];
+    case PieceChoice::point:
+      return pieces[pieceNearest(pieces,
+                                 {options.piecePoint[0], options.piecePoint[1], options.piecePoint[2]})];
+    case PieceChoice::all:
+      return joinPieces(pieces);
+  }
+  throw std::logic_error("unknown PieceChoice");
+}
+
 }  // namespace
 
 struct Pipeline::Stages {
   Stage<Prepared> prepared{1};
   Stage<Volume<float>> classified{3};
   Stage<Points> points{3};
+  Stage<CsrbfModel> model{3};
   Stage<std::vector<Mesh>> pieces{3};
   Stage<Mesh> mesh{3};
   Stage<Prepared> coarse{1};
@@ -93,7 +130,6 @@ class Run {
   Results& results_;
   double at_ = 0;
 };
-
 
 // coarserOptions: the same filter for voxels that are `factor` times as large: lengths shrink, gradients grow.
 ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
@@ -158,6 +194,22 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
           "edge, or "
           "lower surface.minClusterVoxels",
           results.isoValue);
+  const Key fitKey = keyOf("fit 1", pointsKey, parameters.reconstruction);
+  const auto model = run.stage("fit", 0.8, stages_->model, fitKey, [&](const Progress& p) {
+    return fitCsrbf(*results.points, parameters.reconstruction, p);
+  });
+  results.centres = model->centres().size();
+
+  const MeshOptions& mesh = parameters.mesh;
+  Hasher surface("surface 1");
+  const Key surfaceKey = surface.add(fitKey).add(mesh.resolution).add(mesh.support).add(mesh.maxGap).key();
+  results.pieces = run.stage("surface", 0.98, stages_->pieces, surfaceKey, [&](const Progress& p) {
+    return splitPieces(extractIsoSurface(*model, *results.points, mesh, p));
+  });
+  results.mesh =
+      run.stage("piece", 1, stages_->mesh, keyOf("piece 1", surfaceKey, mesh), [&](const Progress&) {
+        return choosePiece(*results.pieces, mesh, beam, centreOf(scan.volume->geometry));
+      });
   return results;
 }
 
@@ -170,8 +222,8 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, const 
   Scan coarse = scan;
   coarse.volume = half;
   Parameters coarser = parameters;
-  coarser.classification = coarserOptions(
-      parameters.classification, half->geometry.minSpacing() / scan.volume->geometry.minSpacing());
+  coarser.classification = coarserOptions(parameters.classification,
+                                          half->geometry.minSpacing() / scan.volume->geometry.minSpacing());
   const auto prepared = run.stage("low-pass", 0.5, stages_->coarse, preparedKey(scan, parameters),
                                   [&](const Progress& p) { return prepare(coarse, coarser, p); });
   ClassificationOptions classification = coarser.classification;

@@ -1,0 +1,170 @@
+#include "core/pipeline/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+const glm::dvec3 kCentre(9, 10, 9.5);
+constexpr double kRadius = 6;
+
+// A noisy ball in fluid, seen by parallel beams along +j.
+Scan ballScan() {
+  Scan scan;
+  auto volume = std::make_shared<Volume<float>>(
+      test::speckledSphere(test::grid({60, 60, 40}, {0.3, 0.3, 0.5}), kCentre, kRadius, 0.15));
+  scan.key = scanKey(*volume, {});
+  scan.volume = volume;
+  return scan;
+}
+
+Parameters parametersForTests() {
+  Parameters p;
+  p.mesh.resolution = 80;
+  return p;
+}
+
+class PipelineTest : public ::testing::Test {
+ protected:
+  const Scan scan = ballScan();
+  Parameters parameters = parametersForTests();
+  Pipeline pipeline;
+
+  // The stages that a run computed, not remembered.
+  static std::vector<std::string> computed(const Results& results) {
+    std::vector<std::string> names;
+    for (const StageReport& s : results.stages)
+      if (s.seconds > 0) names.push_back(s.name);
+    return names;
+  }
+};
+
+TEST_F(PipelineTest, MakesTheFrontOfTheBall) {
+  const Results r = pipeline.run(scan, parameters, Goal::mesh);
+  ASSERT_GT(r.mesh->triangles.size(), 1000u);
+  double sum = 0, squares = 0;
+  for (const glm::vec3& p : r.mesh->positions) {
+    const double offset = glm::length(glm::dvec3(p) - kCentre) - kRadius;
+    sum += offset;
+    squares += offset * offset;
+    EXPECT_LT(double(p.y), kCentre.y + 1);  // only what faces the probe
+  }
+  const double mean = sum / double(r.mesh->positions.size());
+  const double spread = std::sqrt(squares / double(r.mesh->positions.size()) - mean * mean);
+  EXPECT_LT(std::abs(mean), 0.3) << "a voxel of systematic offset";
+  EXPECT_LT(spread, 0.1) << "a third of a voxel around it";
+  for (std::size_t v = 0; v < r.mesh->positions.size(); ++v)
+    EXPECT_GT(glm::dot(r.mesh->normals[v], r.mesh->positions[v] - glm::vec3(kCentre)), 0)
+        << "normals point outward";
+}
+
+TEST_F(PipelineTest, RepeatsOnlyWhatDependsOnAChange) {
+  const Results first = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_TRUE(computed(pipeline.run(scan, parameters, Goal::mesh)).empty());
+
+  Parameters changed = parameters;
+  changed.reconstruction.smoothness *= 2;
+  const Results second = pipeline.run(scan, changed, Goal::mesh);
+  EXPECT_EQ(computed(second), (std::vector<std::string>{"fit", "surface", "piece"}));
+  EXPECT_EQ(second.points, first.points);
+
+  const Results back = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_TRUE(computed(back).empty());
+  EXPECT_EQ(back.mesh, first.mesh);
+}
+
+TEST_F(PipelineTest, OtherPiecesCostNoNewSurface) {
+  pipeline.run(scan, parameters, Goal::mesh);
+  parameters.mesh.piece = PieceChoice::largest;
+  EXPECT_EQ(computed(pipeline.run(scan, parameters, Goal::mesh)), std::vector<std::string>{"piece"});
+}
+
+TEST_F(PipelineTest, GoalsEndTheWayEarlier) {
+  EXPECT_FALSE(pipeline.run(scan, parameters, Goal::classified).points);
+  EXPECT_FALSE(pipeline.run(scan, parameters, Goal::points).mesh);
+}
+
+TEST_F(PipelineTest, SameBitsOnAnyNumberOfThreads) {
+  setThreadCount(1);
+  const Results one = pipeline.run(scan, parameters, Goal::mesh);
+  setThreadCount(3);
+  Pipeline other;
+  const Results three = other.run(scan, parameters, Goal::mesh);
+  setThreadCount(0);
+  EXPECT_EQ(one.mesh->positions, three.mesh->positions);
+  EXPECT_EQ(one.mesh->triangles, three.mesh->triangles);
+}
+
+TEST_F(PipelineTest, CancelLeavesTheMemoryAsItWas) {
+  const Results before = pipeline.run(scan, parameters, Goal::mesh);
+  ProgressSink sink;
+  double reached = 0;
+  sink.report = [&](double fraction) {
+    reached = fraction;
+    sink.cancel = fraction > 0.3;
+  };
+  Parameters changed = parameters;
+  changed.classification.gamma *= 1.5;
+  EXPECT_THROW(pipeline.run(scan, changed, Goal::mesh, Progress(sink)), Cancelled);
+  EXPECT_LT(reached, 0.9);
+  EXPECT_TRUE(computed(pipeline.run(scan, parameters, Goal::mesh)).empty());
+}
+
+TEST_F(PipelineTest, ProgressNeverFallsBack) {
+  ProgressSink sink;
+  double last = 0;
+  std::map<std::string, double> begins;
+  sink.report = [&](double fraction) {
+    EXPECT_GE(fraction, last - 0.06);  // the solver's residual may rise for an iteration
+    last = std::max(last, fraction);
+  };
+  pipeline.run(scan, parameters, Goal::mesh, Progress(sink),
+               [&](const std::string& name) { begins[name] = last; });
+  EXPECT_GT(last, 0.9);
+  EXPECT_LE(last, 1.0);
+  EXPECT_LT(begins["classification"], begins["fit"]);
+}
+
+TEST_F(PipelineTest, PreviewIsTheSameSurfaceWithFewerVoxels) {
+  const Results full = pipeline.run(scan, parameters, Goal::classified);
+  const Results coarse = pipeline.preview(scan, parameters);
+  EXPECT_LT(coarse.classified->data.size(), full.classified->data.size() / 3);
+  const auto brightest = [](const Volume<float>& u) {  // along the beam through the middle of the ball
+    const glm::ivec3 at(u.geometry.toIndex(kCentre) + 0.5);
+    double best = 0, where = 0;
+    for (int j = 0; j < at.y; ++j)
+      if (double(u.at(at.x, j, at.z)) > best) {
+        best = double(u.at(at.x, j, at.z));
+        where = u.geometry.toWorld({at.x, j, at.z}).y;
+      }
+    return where;
+  };
+  EXPECT_NEAR(brightest(*coarse.classified), brightest(*full.classified), 0.61);
+}
+
+TEST_F(PipelineTest, SaysSoWhenThereIsNoSurface) {
+  Scan empty = scan;
+  empty.volume = std::make_shared<const Volume<float>>(scan.volume->geometry);
+  empty.key = scanKey(*empty.volume, {});
+  try {
+    pipeline.run(empty, parameters, Goal::mesh);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("no surface was found"), std::string::npos);
+  }
+}
+
+TEST_F(PipelineTest, RefusesParametersOutOfRange) {
+  parameters.classification.alpha = -1;
+  EXPECT_THROW(pipeline.run(scan, parameters, Goal::mesh), Error);
+}
+
+}  // namespace
+}  // namespace sonoskin
