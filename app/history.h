@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace sonoskin {
+
+// History: a value and its earlier and later versions, for undo and redo.
+template <class T>
+class History {
+ public:
+  explicit History(T first) : versions_{std::move(first)} {}
+
+  const T& current() const { return versions_[position_]; }
+  bool canUndo() const { return position_ > 0; }
+  bool canRedo() const { return position_ + 1 < versions_.size(); }
+
+  // push: a new version after the current one; what was undone is forgotten, and the oldest beyond kMost.
+  void push(T value) {
+    versions_.resize(position_ + 1, value);
+    versions_.push_back(std::move(value));
+    if (versions_.size() > kMost) versions_.erase(versions_.begin());
+    position_ = versions_.size() - 1;
+  }
+  // undo, redo: one step, where there is one.
+  void undo() {
+    if (canUndo()) --position_;
+  }
+  void redo() {
+    if (canRedo()) ++position_;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 500;
+  std::vector<T> versions_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace sonoskin

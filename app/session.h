@@ -1,0 +1,113 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/history.h"
+#include "app/worker.h"
+#include "core/io/image.h"
+#include "core/pipeline/parameters.h"
+#include "core/pipeline/runner.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// Message: something to tell the person once.
+struct Message {
+  enum class Kind { note, failure };
+  Kind kind = Kind::note;
+  std::string text;  // one sentence
+};
+
+// Activity: what goes on in the background.
+struct Activity {
+  bool busy = false;
+  bool blocking = false;  // the person waits for it (opening, reconstruction, saving), not just a live update
+  double fraction = 0;
+  std::string what;
+};
+
+// Session: the document: a scan, its parameters with their history, and what was made of them. It keeps the
+// results up to date in the background: after every change first a coarse classification, then the full one,
+// then the surface points. Knows no interface and no OpenGL.
+//   threads  one; nothing here waits
+class Session {
+ public:
+  explicit Session(const Parameters& parameters);
+
+  // Opening. The present document stays until the new one is there.
+  void openFile(const std::filesystem::path& path);
+  void openPhantom();
+  // setSpacing: for files that give none; mm.
+  void setSpacing(const glm::dvec3& spacing);
+  bool hasScan() const { return scan_.volume != nullptr; }
+  const Scan& scan() const { return scan_; }
+  const std::string& name() const { return name_; }
+
+  // Parameters. edit() is what a slider does while it moves; commitEdit() when it is let go makes the step
+  // that undo() takes back.
+  const Parameters& parameters() const { return parameters_; }
+  void edit(const Parameters& parameters);
+  void commitEdit();
+  bool canUndo() const { return history_.canUndo(); }
+  bool canRedo() const { return history_.canRedo(); }
+  void undo();
+  void redo();
+  void loadRecipe(const std::filesystem::path& path);
+
+  // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
+  const Results& results() const { return results_; }
+  bool meshIsCurrent() const;
+  bool classifiedIsCoarse() const;
+  double meshArea() const { return meshArea_; }  // mm^2
+  void reconstruct();
+  void cancel();
+
+  // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json").
+  void saveMesh(const std::filesystem::path& path);
+  void savePicture(const std::filesystem::path& path, Image image);
+  void saveRecipe(const std::filesystem::path& path);
+  // proposedName: the scan's name with another ending.
+  std::string proposedName(const std::string& ending) const;
+
+  // poll: takes in what the background has made; true when anything of the above has changed. Once a frame.
+  bool poll();
+  Activity activity() const;
+  bool saving() const { return saver_.status().busy; }
+  std::vector<Message> takeMessages();
+  // revision: grows whenever the scan or the results change; reconstructions: whenever a mesh arrives.
+  std::uint64_t revision() const { return revision_; }
+  std::uint64_t reconstructions() const { return reconstructions_; }
+
+ private:
+  void adopt(Scan scan, const std::string& name);
+  void open(const std::string& label, const std::string& name, std::function<Scan(const Progress&)> make);
+  void save(const std::filesystem::path& path, std::function<void(const Progress&)> write);
+  void show(const Parameters& parameters);
+  void update(Goal goal);
+  void submit(Goal goal);
+  void takeResults();
+  void finishRequest();
+  void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
+
+  Scan scan_;
+  std::string name_;
+  Parameters parameters_;
+  History<Parameters> history_;
+  Results results_;
+  Key meshKey_;                  // scan and parameters of results_.mesh
+  std::optional<Goal> request_;  // what the runner works on
+  Key requestKey_;
+  bool previewOwed_ = false;     // the runner has not delivered anything for its request yet
+  std::optional<Goal> delayed_;  // what to submit when it has
+  double meshArea_ = 0;
+  std::uint64_t revision_ = 0, reconstructions_ = 0;
+  std::vector<Message> messages_;
+  Worker opener_, saver_;
+  Runner runner_;
+};
+
+}  // namespace sonoskin

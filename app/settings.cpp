@@ -1,0 +1,72 @@
+#include "app/settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+
+namespace sonoskin {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kMostRecent = 8;
+
+}  // namespace
+
+void Settings::noteOpened(const fs::path& file) {
+  std::error_code error;
+  const fs::path full = fs::absolute(file, error);
+  recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+fs::path settingsFile() {
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config) {
+    return fs::path(config) / "sonoskin/settings.json";
+  }
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return fs::path(home) / ".config/sonoskin/settings.json";
+  return {};
+}
+
+Settings readSettings(const fs::path& file) {
+  Settings settings;
+  std::ifstream stream(file);
+  const json root = json::parse(stream, nullptr, false);
+  if (!root.is_object()) return settings;
+  try {
+    settings.folder = root.value("folder", std::string());
+    for (const json& recent : root.value("recent", json::array()))
+      settings.recent.emplace_back(recent.get<std::string>());
+    settings.width = std::clamp(root.value("width", settings.width), 800, 8192);
+    settings.height = std::clamp(root.value("height", settings.height), 600, 8192);
+  } catch (const json::exception&) {
+    return {};
+  }
+  return settings;
+}
+
+void writeSettings(const fs::path& file, const Settings& settings) {
+  if (file.empty()) return;
+  json recent = json::array();
+  for (const fs::path& f : settings.recent) recent.push_back(f.string());
+  const json root{{"folder", settings.folder.string()},
+                  {"recent", recent},
+                  {"width", settings.width},
+                  {"height", settings.height}};
+  const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  try {
+    writeBytes(file, text.data(), text.size());
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sonoskin {
+
+// Settings: what the window remembers from one start to the next.
+struct Settings {
+  std::filesystem::path folder;               // where files were last opened or saved
+  std::vector<std::filesystem::path> recent;  // volumes, the latest first
+  int width = 1500, height = 940;             // of the window, at content scale 1
+
+  // noteOpened: puts a volume at the head of the recent ones.
+  void noteOpened(const std::filesystem::path& file);
+};
+
+// settingsFile: $XDG_CONFIG_HOME or ~/.config, /sonoskin/settings.json; empty where there is no home.
+std::filesystem::path settingsFile();
+
+// readSettings: what the file holds; defaults for what it lacks, and where it is missing or damaged.
+Settings readSettings(const std::filesystem::path& file);
+// writeSettings: makes the folder where needed. A failure is not worth a word: nothing is lost but comfort.
+void writeSettings(const std::filesystem::path& file, const Settings& settings);
+
+}  // namespace sonoskin
