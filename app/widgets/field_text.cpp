@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "app/widgets/fields_ui.h"
+
+namespace sonoskin::ui {
+
+std::string fieldLabel(const Field& field) {
+  std::string label;
+  for (const char c : field.name) {
+    if (std::isupper(static_cast<unsigned char>(c))) label += ' ';
+    label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  if (!label.empty()) label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  return label;
+}
+
+std::string greekSymbol(std::string_view symbol) {
+  static const std::map<std::string_view, const char*> letters{
+      {"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"kappa", "κ"},
+      {"lambda", "λ"}, {"sigma", "σ"}, {"tau", "τ"},   {"mu", "μ"},    {"theta", "θ"}};
+  const auto found = letters.find(symbol);
+  return found == letters.end() ? std::string(symbol) : found->second;
+}
+
+std::string fieldNumber(double value, Range<double> range) {
+  if (range.logarithmic) return fmt::format("{:.3g}", value);
+  const double width = range.max - range.min;
+  return fmt::format("{:.{}f}", value, width <= 0.5 ? 3 : width <= 20 ? 2 : 1);
+}
+
+double roundedForSlider(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  // By way of text: dividing by a power of ten would leave 0.30000000000000004.
+  return std::stod(fmt::format("{:.2e}", value));
+}
+
+}  // namespace sonoskin::ui

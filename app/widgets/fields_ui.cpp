@@ -1,0 +1,238 @@
+#include "app/widgets/fields_ui.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+
+#include "app/theme.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+// More steps than this on one slider cannot be told apart with a mouse.
+constexpr int kMostSliderSteps = 2500;
+
+// Escapes text for a place where printf would read it.
+std::string literal(const std::string& text) {
+  std::string result;
+  for (const char c : text) result.append(c == '%' ? 2 : 1, c);
+  return result;
+}
+
+std::string withUnit(const std::string& number, const Field& field) {
+  return field.unit.empty() ? number : fmt::format("{} {}", number, field.unit);
+}
+
+// The left cell; the widget comes next.
+void label(const std::string& id, const Field& field) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fieldLabel(field).c_str());
+  if (const std::string symbol = greekSymbol(field.symbol); symbol.size() == 2) {  // one Greek letter
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", symbol.c_str());
+  }
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushID(id.c_str());
+}
+
+void tooltip(const Field& field, const std::string& facts) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  std::string help(field.help);
+  if (!help.empty()) help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
+  ImGui::TextUnformatted((help + ".").c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, kFaintText);
+  if (!field.symbol.empty()) ImGui::Text("Symbol %s", greekSymbol(field.symbol).c_str());
+  ImGui::TextUnformatted(facts.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+// After the widget: its name for tests, its tooltip, and the way back to the default.
+template <class T>
+FieldsEdit finish(const std::string& id, const Field& field, T& value, const T& standard,
+                  const std::string& facts) {
+  noteWidget(id);
+  tooltip(field, facts + "\nRight click or double click: default");
+  ImGui::PopID();
+  const bool reset = ImGui::IsItemHovered() && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                                                ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
+  if (!reset || value == standard) return {};
+  value = standard;
+  return {true, true};
+}
+
+std::string rangeText(const std::string& from, const std::string& to, const std::string& standard) {
+  return fmt::format("{} to {}, default {}", from, to, standard);
+}
+
+// The slider's track up to the grab, so that values can be compared at a glance.
+void fillTrack(double share) {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const float right = min.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (max.x - min.x);
+  ImVec4 colour = kAccent;
+  colour.w = 0.16f;
+  ImGui::GetWindowDrawList()->AddRectFilled(min, {right, max.y}, ImGui::GetColorU32(colour),
+                                            ImGui::GetStyle().FrameRounding);
+}
+
+// A slider is replaced by a text input after Ctrl+click: then the window's storage counts the frames since.
+bool typing() { return ImGui::GetStateStorage()->GetInt(ImGui::GetID("typing"), 0) > 0; }
+void beginTyping() { ImGui::GetStateStorage()->SetInt(ImGui::GetID("typing"), 1); }
+
+// What is typed counts when Enter is pressed, and is forgotten when something else is clicked.
+FieldsEdit typeNumber(double& value, Range<double> range) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID frames = ImGui::GetID("typing");
+  const int count = storage.GetInt(frames);
+  if (count == 1) ImGui::SetKeyboardFocusHere();
+  double typed = value;
+  const bool entered =
+      ImGui::InputDouble("##typed", &typed, 0, 0, "%.6g",
+                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  storage.SetInt(frames, count + 1);
+  if (entered || (count > 3 && !ImGui::IsItemActive())) storage.SetInt(frames, 0);
+  if (!entered) return {};
+  typed = std::clamp(typed, range.min, range.max);
+  if (typed == value) return {};
+  value = typed;
+  return {true, true};
+}
+
+}  // namespace
+
+bool beginFields(const char* id) {
+  if (!ImGui::BeginTable(id, 2)) return false;
+  ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.46f);
+  ImGui::TableSetupColumn("widget", ImGuiTableColumnFlags_WidthStretch, 0.54f);
+  return true;
+}
+
+void endFields() { ImGui::EndTable(); }
+
+// The slider works on t in [0, 1], linear or by factors: ImGui's own logarithmic slider stops at 1e-3.
+FieldsEdit editField(const std::string& id, const Field& field, double& value, double standard,
+                     Range<double> range) {
+  label(id, field);
+  const bool byFactors = range.logarithmic && range.min > 0;
+  const auto toSlider = [&](double v) {
+    return byFactors ? std::log(v / range.min) / std::log(range.max / range.min)
+                     : (v - range.min) / (range.max - range.min);
+  };
+  const auto fromSlider = [&](double t) {
+    const double v =
+        byFactors ? range.min * std::pow(range.max / range.min, t) : range.min + t * (range.max - range.min);
+    return std::clamp(roundedForSlider(v), range.min, range.max);
+  };
+  FieldsEdit edit;
+  if (typing()) {
+    edit = typeNumber(value, range);
+  } else {
+    double t = toSlider(value);
+    const double zero = 0, one = 1;
+    const std::string shown = literal(withUnit(fieldNumber(value, range), field));
+    if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &t, &zero, &one, shown.c_str(),
+                            ImGuiSliderFlags_NoInput) &&
+        t != toSlider(value)) {
+      value = fromSlider(t);
+      edit.changed = true;
+    }
+    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+    fillTrack(toSlider(value));
+    if (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl) beginTyping();
+  }
+  edit |= finish(id, field, value, standard,
+                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), field),
+                           fieldNumber(standard, range)));
+  return edit;
+}
+
+FieldsEdit editField(const std::string& id, const Field& field, int& value, int standard, Range<int> range) {
+  label(id, field);
+  FieldsEdit edit;
+  if (range.max - range.min <= kMostSliderSteps) {
+    const std::string format = withUnit("%d", field);
+    edit.changed = ImGui::SliderInt("##slider", &value, range.min, range.max, format.c_str(),
+                                    ImGuiSliderFlags_AlwaysClamp);
+    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+    fillTrack(double(value - range.min) / std::max(1, range.max - range.min));
+  } else {
+    int typed = value;
+    ImGui::InputInt("##number", &typed, 1, 100);
+    typed = std::clamp(typed, range.min, range.max);
+    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+    edit.changed = typed != value;
+    value = typed;
+  }
+  const std::string last = withUnit(std::to_string(range.max), field);
+  edit |= finish(id, field, value, standard,
+                 rangeText(std::to_string(range.min), last, std::to_string(standard)));
+  return edit;
+}
+
+FieldsEdit editField(const std::string& id, const Field& field, bool& value, bool standard) {
+  label(id, field);
+  FieldsEdit edit;
+  edit.changed = edit.finished = ImGui::Checkbox("##box", &value);
+  edit |= finish(id, field, value, standard, standard ? "Default on" : "Default off");
+  return edit;
+}
+
+FieldsEdit editField(const std::string& id, const Field& field, std::string& value,
+                     const std::string& standard) {
+  label(id, field);
+  FieldsEdit edit;
+  edit.changed = ImGui::InputText("##text", &value);
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  edit |= finish(id, field, value, standard, standard.empty() ? "Default empty" : "Default " + standard);
+  return edit;
+}
+
+FieldsEdit editChoice(const std::string& id, const Field& field, int& value, int standard,
+                      std::span<const char* const> names) {
+  label(id, field);
+  FieldsEdit edit;
+  edit.changed = edit.finished =
+      ImGui::Combo("##choice", &value, names.data(), static_cast<int>(names.size()));
+  edit |= finish(id, field, value, standard, std::string("Default ") + names[std::size_t(standard)]);
+  return edit;
+}
+
+FieldsEdit editField(const std::string& id, const Field& field, std::array<int, 3>& value,
+                     const std::array<int, 3>& standard, Range<int> range) {
+  label(id, field);
+  FieldsEdit edit;
+  std::array<int, 3> typed = value;
+  ImGui::InputInt3("##numbers", typed.data());
+  for (int& v : typed) v = std::clamp(v, range.min, range.max);
+  edit = {typed != value, ImGui::IsItemDeactivatedAfterEdit()};
+  value = typed;
+  edit |= finish(id, field, value, standard,
+                 rangeText(std::to_string(range.min), withUnit(std::to_string(range.max), field),
+                           fmt::format("{} x {} x {}", standard[0], standard[1], standard[2])));
+  return edit;
+}
+
+FieldsEdit editField(const std::string& id, const Field& field, std::array<double, 3>& value,
+                     const std::array<double, 3>& standard, Range<double> range) {
+  label(id, field);
+  FieldsEdit edit;
+  const float speed = static_cast<float>(std::min(0.1, (range.max - range.min) / 1000));
+  edit.changed = ImGui::DragScalarN("##numbers", ImGuiDataType_Double, value.data(), 3, speed, &range.min,
+                                    &range.max, "%.1f", ImGuiSliderFlags_AlwaysClamp);
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  edit |= finish(id, field, value, standard,
+                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), field),
+                           fmt::format("{}, {}, {}", standard[0], standard[1], standard[2])));
+  return edit;
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,175 @@
+#include "app/widgets/file_dialog.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <cstdlib>
+
+#include "app/theme.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string sizeText(std::uintmax_t bytes) {
+  const double kilobytes = double(bytes) / 1024;
+  return kilobytes < 1000 ? fmt::format("{:.0f} kB", kilobytes) : fmt::format("{:.1f} MB", kilobytes / 1024);
+}
+
+// The folders from the root down to the present one, each a button.
+void drawPath(FileDialog& dialog) {
+  fs::path clicked, upTo;
+  for (const fs::path& part : dialog.folder) {
+    upTo /= part;
+    if (upTo != dialog.folder.root_path()) ImGui::SameLine(0, 2 * unit());
+    ImGui::PushID(upTo.c_str());
+    if (ImGui::SmallButton(part.c_str())) clicked = upTo;
+    ImGui::PopID();
+    if (ImGui::GetItemRectMax().x > ImGui::GetWindowPos().x + ImGui::GetWindowWidth() * 0.82f)
+      ImGui::NewLine();
+  }
+  if (!clicked.empty()) dialog.enter(clicked);
+}
+
+void drawPlaces(FileDialog& dialog) {
+  const char* home = std::getenv("HOME");
+  std::error_code error;
+  if (home && ImGui::Selectable("Home")) dialog.enter(home);
+  for (const char* name : {"Desktop", "Documents", "Downloads", "Pictures"}) {
+    if (!home) break;
+    const fs::path place = fs::path(home) / name;
+    if (fs::is_directory(place, error) && ImGui::Selectable(name)) dialog.enter(place);
+  }
+  if (ImGui::Selectable("Computer")) dialog.enter("/");
+  if (dialog.folder.has_parent_path() && ImGui::Selectable("Up one folder"))
+    dialog.enter(dialog.folder.parent_path());
+}
+
+// True when an entry was double-clicked: the person is done.
+bool drawEntries(FileDialog& dialog) {
+  bool done = false;
+  fs::path entered;
+  if (!ImGui::BeginTable("files", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return false;
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 90 * unit());
+  for (const FileEntry& entry : dialog.entries) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string shown = entry.folder ? entry.name + "/" : entry.name;
+    if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+    if (ImGui::Selectable(shown.c_str(), !entry.folder && entry.name == dialog.name,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+      const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+      if (entry.folder && twice) entered = dialog.folder / entry.name;
+      if (!entry.folder) {
+        dialog.name = entry.name;
+        dialog.replaceAsked = false;
+        done = twice;
+      }
+    }
+    noteWidget("file." + entry.name);
+    if (entry.folder) ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    if (!entry.folder) ImGui::TextDisabled("%s", sizeText(entry.bytes).c_str());
+  }
+  if (dialog.entries.empty()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("Nothing to choose here");
+  }
+  ImGui::EndTable();
+  if (!entered.empty()) dialog.enter(entered);
+  return done;
+}
+
+// The chosen file, or nothing and a complaint.
+std::optional<fs::path> accept(FileDialog& dialog) {
+  const FilePurposeText text = purposeText(*dialog.purpose);
+  std::error_code error;
+  if (dialog.name.empty()) {
+    dialog.complaint = "Choose a file or type its name.";
+    return {};
+  }
+  fs::path path = fs::path(dialog.name).is_absolute() ? fs::path(dialog.name) : dialog.folder / dialog.name;
+  if (fs::is_directory(path, error)) {
+    dialog.name.clear();
+    dialog.enter(path);
+    return {};
+  }
+  if (text.save && !hasEnding(path.string(), text.endings)) path += text.endings.front();
+  const bool exists = fs::exists(path, error);
+  if (!text.save && !exists) {
+    dialog.complaint = "There is no such file.";
+    return {};
+  }
+  if (text.save && exists && !dialog.replaceAsked) {
+    dialog.replaceAsked = true;
+    dialog.complaint = path.filename().string() + " is there already. Press Replace to write over it.";
+    return {};
+  }
+  return path;
+}
+
+// The line with the name and the buttons; true when the person wants the file.
+bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(dialog.replaceAsked ? kWarning : kFailure, "%s", dialog.complaint.c_str());
+  ImGui::PopTextWrapPos();
+  const float button = 92 * unit(), gap = ImGui::GetStyle().ItemSpacing.x;
+  if (dialog.opening) ImGui::SetKeyboardFocusHere();
+  dialog.opening = false;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + gap));
+  bool done =
+      ImGui::InputTextWithHint("##name", "File name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemEdited()) dialog.replaceAsked = false;
+  noteWidget("file.name");
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.55f));
+  done |= ImGui::Button(dialog.replaceAsked ? "Replace" : text.button, {button, 0});
+  ImGui::PopStyleColor();
+  noteWidget("file.accept");
+  ImGui::SameLine();
+  closed =
+      ImGui::Button("Cancel", {button, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  return done;
+}
+
+}  // namespace
+
+std::optional<FileChoice> drawFileDialog(FileDialog& dialog) {
+  if (!dialog.purpose) return {};
+  const FilePurposeText text = purposeText(*dialog.purpose);
+  if (dialog.opening) ImGui::OpenPopup(text.title);
+  const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
+  ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({720 * unit(), 480 * unit()});
+  std::optional<FileChoice> choice;
+  bool closed = false;
+  if (!ImGui::BeginPopupModal(text.title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+    return {};
+  drawPath(dialog);
+  if (ImGui::Checkbox("All files", &dialog.allFiles)) dialog.enter(dialog.folder);
+  const float bottom = 2.9f * ImGui::GetFrameHeightWithSpacing();
+  ImGui::BeginChild("places", {130 * unit(), -bottom});
+  drawPlaces(dialog);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("entries", {0, -bottom});
+  bool done = drawEntries(dialog);
+  ImGui::EndChild();
+  done |= drawBottom(dialog, text, closed);
+  if (done) {
+    if (const auto path = accept(dialog)) choice = FileChoice{*dialog.purpose, *path};
+  }
+  if (choice || closed) {
+    dialog.purpose.reset();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+  return choice;
+}
+
+}  // namespace sonoskin::ui

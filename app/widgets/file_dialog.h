@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sonoskin::ui {
+
+enum class FilePurpose { openVolume, openRecipe, saveRecipe, saveMesh, savePicture };
+
+// FilePurposeText: how the dialog looks for a purpose; endings in small letters, the first is the default.
+struct FilePurposeText {
+  const char* title;
+  const char* button;
+  bool save;
+  std::span<const char* const> endings;
+};
+FilePurposeText purposeText(FilePurpose purpose);
+
+// FileChoice: what the person chose.
+struct FileChoice {
+  FilePurpose purpose;
+  std::filesystem::path path;
+};
+
+// FileEntry: a line of the list.
+struct FileEntry {
+  std::string name;
+  bool folder = false;
+  std::uintmax_t bytes = 0;
+};
+
+// listFolder: folders first, then the files whose ending is one of `endings` (none: all), each by name;
+// hidden ones left out.
+//   errors  std::filesystem::filesystem_error: the folder cannot be read
+std::vector<FileEntry> listFolder(const std::filesystem::path& folder, std::span<const char* const> endings);
+
+// hasEnding: whether a file name ends in one of `endings`, in capitals or not.
+bool hasEnding(const std::string& name, std::span<const char* const> endings);
+
+// FileDialog: asks for a file, in the window itself.
+struct FileDialog {
+  std::optional<FilePurpose> purpose;  // empty: closed
+  bool opening = false;
+  std::filesystem::path folder;
+  std::string name;
+  std::string complaint;  // what is wrong with the choice
+  bool allFiles = false;
+  bool replaceAsked = false;  // the next press on Save replaces the file
+  std::vector<FileEntry> entries;
+
+  // ask: opens the dialog. Without a folder it starts in the current one.
+  void ask(FilePurpose purpose, const std::filesystem::path& folder, const std::string& name);
+  void enter(const std::filesystem::path& folder);
+};
+
+// drawFileDialog: draws it where it is open; gives the choice in the frame in which it is made.
+std::optional<FileChoice> drawFileDialog(FileDialog& dialog);
+
+}  // namespace sonoskin::ui

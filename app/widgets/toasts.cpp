@@ -1,0 +1,67 @@
+#include "app/widgets/toasts.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/theme.h"
+
+namespace sonoskin::ui {
+namespace {
+
+constexpr double kNoteSeconds = 5;
+constexpr std::size_t kMostAtOnce = 4;
+
+// True when it was clicked away.
+bool drawToast(const Toasts::Toast& toast, std::size_t number, float right, float& bottom) {
+  ImGui::SetNextWindowPos({right, bottom}, ImGuiCond_Always, {1, 1});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {420 * unit(), FLT_MAX});
+  const std::string id = "toast" + std::to_string(number);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * unit());
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::PushStyleColor(ImGuiCol_Border, toast.failure ? kFailure : kAccent);
+  ImGui::Begin(id.c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  ImGui::PushTextWrapPos(390 * unit());
+  ImGui::TextUnformatted(toast.text.c_str());
+  ImGui::PopTextWrapPos();
+  if (toast.failure) ImGui::TextDisabled("Click to close");
+  const bool clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  bottom -= ImGui::GetWindowHeight() + 8 * unit();
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(2);
+  return clicked;
+}
+
+}  // namespace
+
+void Toasts::add(const std::string& text, bool failure) {
+  // The same sentence again and again (a slider in motion) is one message.
+  std::erase_if(list, [&](const Toast& toast) { return toast.text == text; });
+  list.push_back({text, failure, 0});
+  if (list.size() > kMostAtOnce) list.erase(list.begin());
+}
+
+double drawToasts(Toasts& toasts, float right, float bottom) {
+  double next = -1;
+  const double now = ImGui::GetTime();
+  std::size_t number = 0;
+  for (auto toast = toasts.list.begin(); toast != toasts.list.end(); ++number) {
+    if (toast->until == 0) toast->until = now + kNoteSeconds;
+    const bool clicked = drawToast(*toast, number, right, bottom);
+    const double left = toast->until - now;
+    if (clicked || (!toast->failure && left <= 0)) {
+      toast = toasts.list.erase(toast);
+      continue;
+    }
+    if (!toast->failure) next = next < 0 ? left : std::min(next, left);
+    ++toast;
+  }
+  return next;
+}
+
+}  // namespace sonoskin::ui

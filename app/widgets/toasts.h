@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sonoskin::ui {
+
+// Toasts: short messages at the lower right. Notes leave by themselves; failures stay until they are clicked.
+struct Toasts {
+  struct Toast {
+    std::string text;
+    bool failure = false;
+    double until = 0;  // ImGui's time; 0: not shown yet
+  };
+  std::vector<Toast> list;
+
+  void add(const std::string& text, bool failure);
+};
+
+// drawToasts: draws them above `bottom`; seconds until the next one must go, negative where none will.
+double drawToasts(Toasts& toasts, float right, float bottom);
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <map>
+#include <string>
+
+namespace sonoskin::ui {
+
+// WidgetRects: where the named widgets of the last frame are, for tests that drive the window with a mouse.
+// They are noted only while ImGui's user data points here; the program itself never sets it.
+struct WidgetRects {
+  struct Rect {
+    ImVec2 min, max;
+  };
+  std::map<std::string, Rect> byName;
+};
+
+// noteWidget: the last widget, under a name.
+inline void noteWidget(const std::string& name) {
+  if (auto* rects = static_cast<WidgetRects*>(ImGui::GetIO().UserData)) {
+    rects->byName[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+  }
+}
+
+}  // namespace sonoskin::ui
