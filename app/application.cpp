@@ -1,30 +1,167 @@
 #include "app/application.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
+#include <exception>
+
+#include "app/panels/panels.h"
 #include "app/theme.h"
+#include "render/gl/context.h"
 
 namespace sonoskin {
+namespace {
+
+constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0.3;
+
+}  // namespace
 
 Application::Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters)
-    : window_("Sonoskin", {1500, 940}), file_(file), parameters_(parameters) {}
+    : settings_(readSettings(settingsFile())),
+      window_("Sonoskin", {settings_.width, settings_.height}),
+      workspace_(parameters) {
+  gl::loadGl(glfwGetProcAddress);
+  workspace_.glInfo = gl::glInfo();
+  workspace_.settings = settings_;
+  if (file) {
+    workspace_.open(*file);
+  } else {
+    workspace_.session.openPhantom();
+  }
+}
+
+Application::~Application() {
+  const glm::vec2 size = glm::vec2(window_.size()) / window_.contentScale();
+  workspace_.settings.width = static_cast<int>(size.x);
+  workspace_.settings.height = static_cast<int>(size.y);
+  writeSettings(settingsFile(), workspace_.settings);
+}
+
+void Application::attempt(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    workspace_.toasts.add(error.what(), true);
+  }
+}
+
+double Application::waitSeconds() const {
+  double seconds = workspace_.session.activity().busy ? kBusySeconds : kIdleSeconds;
+  if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, kTextCursorSeconds);
+  for (const double wanted : {viewsWant_, toastsWant_}) {
+    if (wanted >= 0) seconds = std::min(seconds, wanted);
+  }
+  return seconds;
+}
 
 bool Application::frame() {
-  if (window_.waitForFrame(0.5)) {
-    window_.beginFrame();
+  const bool busy = workspace_.session.activity().busy;
+  const bool event = window_.waitForFrame(waitSeconds());
+  const bool arrived = workspace_.session.poll();
+  if (arrived) window_.requestFrames();
+  const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
+  if (event || arrived || due) {
+    attempt([this] { takeInput(); });
+    attempt([this] { updateDocument(); });
     draw();
-    window_.endFrame();
   }
-  return !window_.closeRequested();
+  return !(window_.closeRequested() || workspace_.quit) || workspace_.session.saving();
+}
+
+void Application::takeInput() {
+  for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
+}
+
+void Application::updateDocument() {
+  Session& session = workspace_.session;
+  for (Message& message : session.takeMessages()) {
+    workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+  }
+  const Scan& scan = session.scan();
+  if (scan.volume.get() != shownVolume_) {
+    shownVolume_ = scan.volume.get();
+    workspace_.view.content = SpaceContent::volume;
+    workspace_.typedSpacing = scan.volume->geometry.spacing;
+    resetView(workspace_.view, scan, beamOf(scan, session.parameters().scan));
+  }
+  if (session.reconstructions() != reconstructions_) {
+    reconstructions_ = session.reconstructions();
+    workspace_.view.content = SpaceContent::mesh;
+  }
+  const std::string title = session.hasScan() ? session.name() + " - Sonoskin" : "Sonoskin";
+  if (title != title_) window_.setTitle(title_ = title);
 }
 
 void Application::draw() {
+  window_.beginFrame();
+  attempt([this] {
+    ui::drawMenuBar(workspace_);
+    drawMain();
+    ui::drawKeys(workspace_);
+    ui::drawAbout(workspace_);
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
+                                 viewport.Size.y - 48 * ui::unit());
+    if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
+  });
+  // An error may have left windows and groups open.
+  ImGui::ErrorCheckEndFrameRecover(nullptr);
+  gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
+  window_.endFrame();
+}
+
+void Application::drawMain() {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize(viewport.WorkSize);
-  ImGui::Begin("main", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::TextUnformatted(file_ ? file_->c_str() : "phantom");
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin("main", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
+  const float top = ImGui::GetCursorPosY();
+  drawSidePanel(330 * ui::unit());
+  ImGui::SameLine(0, 0);
+  ImGui::BeginChild("views", {0, viewport.WorkSize.y - top - status});
+  viewsWant_ = ui::drawFourUp(views_, workspace_);
+  ImGui::EndChild();
+  ImGui::SetCursorPos({12 * ui::unit(), viewport.WorkSize.y - status + 3 * ui::unit()});
+  ui::drawStatusBar(workspace_);
   ImGui::End();
+}
+
+void Application::drawSidePanel(float width) {
+  const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
+  ImGui::BeginChild("side", {width, ImGui::GetMainViewport()->WorkSize.y - status}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ui::drawVolumePanel(workspace_);
+  ui::drawClassificationPanel(workspace_);
+  ui::drawReconstructionPanel(workspace_);
+  ui::drawViewPanel(workspace_);
+  ui::drawMorePanel(workspace_);
+  ImGui::EndChild();
+}
+
+void Application::act(const ui::FileChoice& choice) {
+  Session& session = workspace_.session;
+  workspace_.settings.folder = choice.path.parent_path();
+  switch (choice.purpose) {
+    case ui::FilePurpose::openVolume:
+      return workspace_.open(choice.path);
+    case ui::FilePurpose::openRecipe:
+      return session.loadRecipe(choice.path);
+    case ui::FilePurpose::saveRecipe:
+      return session.saveRecipe(choice.path);
+    case ui::FilePurpose::saveMesh:
+      return session.saveMesh(choice.path);
+    case ui::FilePurpose::savePicture:
+      return session.savePicture(choice.path,
+                                 ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}));
+  }
 }
 
 }  // namespace sonoskin

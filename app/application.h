@@ -1,27 +1,49 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "app/desktop_window.h"
+#include "app/views/four_up.h"
+#include "app/workspace.h"
 #include "core/pipeline/parameters.h"
 
 namespace sonoskin {
 
-// Application: the window with all that is in it. frame() is one turn of its loop.
+// Application: the window with all that is in it. frame() is one turn of its loop. An error in a frame is
+// shown in the window and does not end it.
 class Application {
  public:
   Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters);
+  ~Application();  // remembers the settings
 
-  // frame: waits for something to do, does it, draws; false when the window was closed.
+  // frame: waits for something to do, does it, draws; false when the window was closed and all is saved.
   bool frame();
 
- private:
-  void draw();
+  // For tests: the document and the views, and a frame even though nothing happened.
+  Workspace& workspace() { return workspace_; }
+  void requestFrame() { window_.requestFrames(1); }
 
+ private:
+  void takeInput();
+  void updateDocument();
+  void draw();
+  void drawSidePanel(float width);
+  void drawMain();
+  void act(const ui::FileChoice& choice);
+  void attempt(const std::function<void()>& action);
+  double waitSeconds() const;
+
+  Settings settings_;
   DesktopWindow window_;
-  std::optional<std::filesystem::path> file_;
-  Parameters parameters_;
+  Workspace workspace_;
+  ui::FourUp views_;
+  std::string title_;
+  const void* shownVolume_ = nullptr;  // what the views were last reset for
+  std::uint64_t reconstructions_ = 0;  // seen so far
+  double viewsWant_ = -1, toastsWant_ = -1;
 };
 
 }  // namespace sonoskin

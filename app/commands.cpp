@@ -1,0 +1,136 @@
+#include "app/commands.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <cassert>
+#include <string_view>
+
+#include "app/workspace.h"
+
+namespace sonoskin {
+namespace {
+
+using W = Workspace;
+
+bool hasScan(const W& w) { return w.session.hasScan(); }
+bool hasMesh(const W& w) { return w.session.results().mesh != nullptr; }
+bool busy(const W& w) { return w.session.activity().busy; }
+
+void toggleMaximised(W& w, Pane pane) {
+  if (w.view.maximised == pane) {
+    w.view.maximised.reset();
+  } else {
+    w.view.maximised = pane;
+  }
+}
+
+void showAll(W& w) {
+  const Scan& scan = w.session.scan();
+  resetView(w.view, scan, beamOf(scan, w.session.parameters().scan));
+}
+
+void lookFromProbe(W& w) {
+  const Scan& scan = w.session.scan();
+  resetCamera(w.view, scan, beamOf(scan, w.session.parameters().scan));
+}
+
+void resetParameters(W& w) {
+  w.session.edit({});
+  w.session.commitEdit();
+}
+
+void stop(W& w) {
+  if (busy(w)) {
+    w.session.cancel();
+  } else {
+    w.view.maximised.reset();
+  }
+}
+
+constexpr Shortcut key(int k) { return {k, false, false}; }
+constexpr Shortcut control(int k) { return {k, true, false}; }
+constexpr Shortcut controlShift(int k) { return {k, true, true}; }
+
+// clang-format off
+const Command kCommands[] = {
+  {"file.open", "Open volume...", Menu::file, control(GLFW_KEY_O),
+   [](W& w) { w.files.ask(ui::FilePurpose::openVolume, w.settings.folder, ""); }},
+  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.session.openPhantom(); }},
+  {"file.openRecipe", "Open recipe...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::openRecipe, w.settings.folder, ""); }, nullptr, nullptr, true},
+  {"file.saveRecipe", "Save recipe...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveRecipe, w.settings.folder, "sonoskin.recipe.json"); }},
+  {"file.saveMesh", "Save mesh...", Menu::file, control(GLFW_KEY_S),
+   [](W& w) { w.files.ask(ui::FilePurpose::saveMesh, w.settings.folder, w.session.proposedName(".ply")); }, hasMesh, nullptr, true},
+  {"file.savePicture", "Save picture...", Menu::file, key(GLFW_KEY_F12),
+   [](W& w) { w.files.ask(ui::FilePurpose::savePicture, w.settings.folder, w.session.proposedName(".png")); }, hasScan},
+  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.quit = true; }, nullptr, nullptr, true},
+
+  {"edit.undo", "Undo", Menu::edit, control(GLFW_KEY_Z), [](W& w) { w.session.undo(); },
+   [](const W& w) { return w.session.canUndo(); }},
+  {"edit.redo", "Redo", Menu::edit, controlShift(GLFW_KEY_Z), [](W& w) { w.session.redo(); },
+   [](const W& w) { return w.session.canRedo(); }},
+  {"edit.reset", "All parameters to their defaults", Menu::edit, {}, resetParameters, nullptr, nullptr, true},
+
+  {"view.resetCamera", "Look from the probe", Menu::view, key(GLFW_KEY_R), lookFromProbe, hasScan},
+  {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
+  {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
+   [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},
+  {"view.classified", "Slices: classified", Menu::view, key(GLFW_KEY_2),
+   [](W& w) { w.view.layer = SliceLayer::classified; }, hasScan,
+   [](const W& w) { return w.view.layer == SliceLayer::classified; }},
+  {"view.thinned", "Slices: thinned", Menu::view, key(GLFW_KEY_3), [](W& w) { w.view.layer = SliceLayer::thinned; },
+   hasScan, [](const W& w) { return w.view.layer == SliceLayer::thinned; }},
+  {"view.voxels", "Slices: mark the surface voxels", Menu::view, key(GLFW_KEY_4),
+   [](W& w) { w.view.surfaceVoxels = !w.view.surfaceVoxels; }, hasScan,
+   [](const W& w) { return w.view.surfaceVoxels; }},
+  {"view.volume", "3D: volume", Menu::view, key(GLFW_KEY_V), [](W& w) { w.view.content = SpaceContent::volume; },
+   hasScan, [](const W& w) { return w.view.content == SpaceContent::volume; }, true},
+  {"view.mesh", "3D: surface mesh", Menu::view, key(GLFW_KEY_M), [](W& w) { w.view.content = SpaceContent::mesh; },
+   hasMesh, [](const W& w) { return w.view.content == SpaceContent::mesh; }},
+  {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },
+   nullptr, [](const W& w) { return w.view.maximised == Pane::space; }, true},
+
+  {"surface.reconstruct", "Reconstruct surface", Menu::surface, control(GLFW_KEY_ENTER),
+   [](W& w) { w.session.reconstruct(); }, hasScan},
+  {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
+   [](const W& w) { return busy(w) || w.view.maximised; }},
+
+  {"help.keys", "Mouse and keys", Menu::help, key(GLFW_KEY_H), [](W& w) { w.keysShown = !w.keysShown; }},
+  {"help.about", "About Sonoskin", Menu::help, {}, [](W& w) { w.aboutShown = true; }},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+const Command& command(std::string_view id) {
+  const Command* found = kCommands;
+  while (found->id != id) {
+    ++found;
+    assert(found != std::end(kCommands));
+  }
+  return *found;
+}
+
+bool isEnabled(const Command& c, const Workspace& workspace) { return !c.enabled || c.enabled(workspace); }
+
+std::string shortcutText(const Shortcut& shortcut) {
+  if (shortcut.key == 0) return {};
+  std::string text = shortcut.control ? "Ctrl+" : "";
+  if (shortcut.shift) text += "Shift+";
+  switch (shortcut.key) {
+    case GLFW_KEY_ENTER:
+      return text + "Enter";
+    case GLFW_KEY_ESCAPE:
+      return text + "Esc";
+    case GLFW_KEY_F12:
+      return text + "F12";
+    default:
+      return text + static_cast<char>(shortcut.key);  // letters and digits are their own codes
+  }
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,62 @@
+#include <imgui.h>
+
+#include <array>
+
+#include "app/commands.h"
+#include "app/panels/panels.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+constexpr std::array<const char*, 5> kMenuTitles{"File", "Edit", "View", "Surface", "Help"};
+
+void drawRecent(Workspace& workspace) {
+  if (!ImGui::BeginMenu("Open recent", !workspace.settings.recent.empty())) return;
+  std::filesystem::path chosen;  // opening reorders the list
+  for (const auto& file : workspace.settings.recent) {
+    if (ImGui::MenuItem(file.c_str())) chosen = file;
+  }
+  if (!chosen.empty()) workspace.open(chosen);
+  ImGui::EndMenu();
+}
+
+void drawMenu(Menu menu, Workspace& workspace) {
+  for (const Command& command : commands()) {
+    if (command.menu != menu) continue;
+    if (command.separator) ImGui::Separator();
+    const bool checked = command.checked && command.checked(workspace);
+    if (ImGui::MenuItem(command.title, shortcutText(command.shortcut).c_str(), checked,
+                        isEnabled(command, workspace))) {
+      command.run(workspace);
+    }
+    if (command.id == std::string_view("file.open")) drawRecent(workspace);
+  }
+}
+
+void runPressedKeys(Workspace& workspace) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || workspace.files.purpose) return;
+  for (const Command& command : commands()) {
+    const Shortcut& s = command.shortcut;
+    if (s.key == 0 || s.control != io.KeyCtrl || s.shift != io.KeyShift || io.KeyAlt) continue;
+    if (ImGui::IsKeyPressed(s.key, false) && isEnabled(command, workspace)) command.run(workspace);
+  }
+}
+
+}  // namespace
+
+void drawMenuBar(Workspace& workspace) {
+  runPressedKeys(workspace);
+  if (!ImGui::BeginMainMenuBar()) return;
+  for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
+    const bool open = ImGui::BeginMenu(kMenuTitles[i]);
+    noteWidget(std::string("menu.") + kMenuTitles[i]);
+    if (!open) continue;
+    drawMenu(static_cast<Menu>(i), workspace);
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace sonoskin::ui

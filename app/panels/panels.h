@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/workspace.h"
+
+namespace sonoskin::ui {
+
+// The parts of the window around the views: free functions that draw into the current ImGui window, or into
+// one of their own where it says so, and act on the workspace.
+
+void drawMenuBar(Workspace& workspace);  // the main menu bar; also runs the commands whose keys were pressed
+
+// The side panel, from top to bottom.
+void drawVolumePanel(Workspace& workspace);
+void drawClassificationPanel(Workspace& workspace);  // the four first parameters
+void drawReconstructionPanel(Workspace& workspace);
+void drawViewPanel(Workspace& workspace);
+void drawMorePanel(Workspace& workspace);  // all other parameters, a heading per group
+
+// The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time.
+void drawStatusBar(const Workspace& workspace);
+
+// Windows of their own.
+void drawKeys(Workspace& workspace);
+void drawAbout(Workspace& workspace);
+
+}  // namespace sonoskin::ui

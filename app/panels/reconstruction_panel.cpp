@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/commands.h"
+#include "app/panels/panels.h"
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+void drawProgress(Workspace& workspace, const Activity& activity) {
+  const float cancel = 76 * unit();
+  const std::string percent = fmt::format("{:.0f} %", 100 * activity.fraction);
+  ImGui::TextUnformatted(sentence(activity.what).c_str());
+  ImGui::ProgressBar(
+      static_cast<float>(activity.fraction),
+      {ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()},
+      percent.c_str());
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {cancel, 0})) workspace.session.cancel();
+  noteWidget("surface.cancel");
+}
+
+void drawMeshFacts(const Session& session) {
+  const Results& results = session.results();
+  if (results.points) fact("Points", grouped(results.points->size()));
+  if (!results.mesh) return;
+  fact("Triangles", grouped(results.mesh->triangles.size()));
+  fact("Area", fmt::format("{} mm²", grouped(static_cast<std::size_t>(session.meshArea() + 0.5))));
+  if (results.pieces && results.pieces->size() > 1) {
+    fact("Pieces", fmt::format("{}, one is shown", results.pieces->size()));
+  }
+  if (!session.meshIsCurrent()) fact("State", "older than the parameters", true);
+}
+
+}  // namespace
+
+void drawReconstructionPanel(Workspace& workspace) {
+  section("Surface");
+  const Activity activity = workspace.session.activity();
+  const Command& reconstruct = command("surface.reconstruct");
+  if (mainButton(reconstruct.title, isEnabled(reconstruct, workspace) && !activity.blocking)) {
+    reconstruct.run(workspace);
+  }
+  noteWidget(reconstruct.id);
+  // Two lines are kept free, so that nothing below moves when work begins and ends.
+  const ImVec2 start = ImGui::GetCursorPos();
+  if (activity.busy) {
+    drawProgress(workspace, activity);
+  } else {
+    ImGui::TextDisabled(workspace.session.hasScan() ? "Up to date" : "Waiting for a volume");
+  }
+  ImGui::SetCursorPos(
+      {start.x, start.y + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing()});
+  drawMeshFacts(workspace.session);
+  if (workspace.session.results().mesh) {
+    const Command& save = command("file.saveMesh");
+    if (ImGui::Button(save.title, {-1, 0})) save.run(workspace);
+    noteWidget(save.id);
+  }
+}
+
+}  // namespace sonoskin::ui

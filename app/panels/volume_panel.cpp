@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/panels/panels.h"
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+// For a file without spacing: says so and asks, since every millimetre in the window depends on it.
+void askSpacing(Workspace& workspace) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(
+      kWarning, "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
+  ImGui::PopTextWrapPos();
+  glm::dvec3& spacing = workspace.typedSpacing;
+  const double least = 0.001, most = 100;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 70 * unit());
+  ImGui::DragScalarN("##spacing", ImGuiDataType_Double, &spacing.x, 3, 0.005f, &least, &most, "%.3f mm",
+                     ImGuiSliderFlags_AlwaysClamp);
+  noteWidget("volume.spacing");
+  ImGui::SameLine();
+  if (ImGui::Button("Apply", {-1, 0})) workspace.session.setSpacing(spacing);
+  noteWidget("volume.applySpacing");
+}
+
+std::string range(const Scan& scan) {
+  return fmt::format("{} {:g} to {:g}", scan.originalType, scan.originalMin, scan.originalMax);
+}
+
+}  // namespace
+
+void drawVolumePanel(Workspace& workspace) {
+  const Session& session = workspace.session;
+  section("Volume");
+  if (!session.hasScan()) {
+    ImGui::TextDisabled("Nothing is open yet");
+    return;
+  }
+  const Scan& scan = session.scan();
+  const Geometry& g = scan.volume->geometry;
+  const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
+  fact("Name", session.name());
+  fact("Voxels", fmt::format("{} × {} × {}", g.dims.x, g.dims.y, g.dims.z));
+  const std::string spacing = fmt::format("{} × {} × {} mm", millimetres(g.spacing.x),
+                                          millimetres(g.spacing.y), millimetres(g.spacing.z));
+  fact("Spacing", scan.spacingKnown ? spacing : "unknown", !scan.spacingKnown);
+  fact("Size", fmt::format("{:.0f} × {:.0f} × {:.0f} mm", size.x, size.y, size.z), !scan.spacingKnown);
+  fact("Values", range(scan));
+  if (!scan.spacingKnown) askSpacing(workspace);
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "core/pipeline/pipeline.h"
+#include "core/volume/scan.h"
+#include "render/camera.h"
+#include "render/slice_frame.h"
+#include "render/slice_view.h"
+
+namespace sonoskin {
+
+enum class SliceLayer { raw, classified, thinned };
+enum class VolumeLayer { raw, classified };
+enum class SpaceContent { volume, mesh };
+enum class VolumeStyle { surface, translucent };
+enum class MeshStyle { clay, skin };
+
+// Pane: one of the four views.
+enum class Pane { axial, space, sagittal, coronal };
+// As 3D Slicer has them: row by row.
+inline constexpr std::array<Pane, 4> kPanes{Pane::axial, Pane::space, Pane::coronal, Pane::sagittal};
+
+// SlicePose: what part of one slice is seen; as in SliceCamera.
+struct SlicePose {
+  glm::dvec2 pan{0};
+  double zoom = 1;
+};
+
+// ViewState: what the four views show and from where. Knows no interface and no OpenGL.
+struct ViewState {
+  glm::dvec3 cursor{0};  // where the three slices meet, world mm
+  GreyWindow grey;       // of the raw slices
+  SliceLayer layer = SliceLayer::raw;
+  bool surfaceVoxels = true;
+  std::array<SlicePose, 3> slices;  // by Plane
+
+  SpaceContent content = SpaceContent::volume;
+  VolumeStyle volumeStyle = VolumeStyle::surface;
+  VolumeLayer volumeLayer = VolumeLayer::raw;
+  MeshStyle meshStyle = MeshStyle::clay;
+  std::optional<double>
+      volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
+  Camera camera;
+
+  std::optional<Pane> maximised;
+};
+
+// shownLevel: the grey value at which the ray-caster sees a surface: the person's, else the iso-value that
+// the pipeline used or, in the classified volume, what makes a strong surface voxel.
+double shownLevel(const ViewState& view, const Results& results);
+
+// resetView: cross-hair to the middle, slices whole, camera on the probe's side.
+void resetView(ViewState& view, const Scan& scan, const Beam& beam);
+void resetCamera(ViewState& view, const Scan& scan, const Beam& beam);
+
+}  // namespace sonoskin

@@ -1,0 +1,66 @@
+#include "app/views/four_up.h"
+
+#include <cmath>
+
+#include "app/theme.h"
+
+namespace sonoskin::ui {
+namespace {
+
+const char* nameOf(Pane pane) {
+  constexpr std::array<const char*, 4> kNames{"axial", "space", "sagittal", "coronal"};
+  return kNames[std::size_t(pane)];
+}
+
+Plane planeOf(Pane pane) {
+  switch (pane) {
+    case Pane::sagittal:
+      return Plane::sagittal;
+    case Pane::coronal:
+      return Plane::coronal;
+    default:
+      return Plane::axial;
+  }
+}
+
+double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, ImVec2 size) {
+  double next = -1;
+  const PaneInput pane = beginPane(nameOf(which), corner, size);
+  if (which == Pane::space) {
+    next = drawSpaceWindow(views.space, views.scans, workspace, pane);
+  } else {
+    const Plane plane = planeOf(which);
+    drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
+  }
+  endPane();
+  if (pane.doubleClicked) {
+    if (workspace.view.maximised) {
+      workspace.view.maximised.reset();
+    } else {
+      workspace.view.maximised = which;
+    }
+  }
+  return next;
+}
+
+}  // namespace
+
+double drawFourUp(FourUp& views, Workspace& workspace) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
+  // A copy: a double click changes it, and that counts from the next frame.
+  if (const auto maximised = workspace.view.maximised)
+    return drawPane(views, workspace, *maximised, corner, area);
+  const float gap = std::round(2 * unit());
+  const ImVec2 size{std::floor((area.x - gap) / 2), std::floor((area.y - gap) / 2)};
+  double next = -1;
+  for (int i = 0; i < 4; ++i) {
+    const Pane pane = kPanes[std::size_t(i)];
+    const double wanted =
+        drawPane(views, workspace, pane,
+                 {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
+    if (pane == Pane::space) next = wanted;
+  }
+  return next;
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/views/slice_window.h"
+#include "app/views/space_window.h"
+#include "app/workspace.h"
+
+namespace sonoskin::ui {
+
+// FourUp: the three slices and the 3D view, with everything that they keep on the GPU.
+struct FourUp {
+  GpuScans scans;
+  std::optional<SliceView> sliceView;
+  std::array<SliceWindow, 3> slices;  // by Plane
+  SpaceWindow space;
+};
+
+// drawFourUp: two by two, or the maximised one alone, in what is left of the current ImGui window.
+//   output  seconds after which it wants a frame; negative for never
+double drawFourUp(FourUp& views, Workspace& workspace);
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,180 @@
+#include "app/views/slice_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/theme.h"
+
+namespace sonoskin::ui {
+namespace {
+
+const char* nameOf(Plane plane) {
+  constexpr std::array<const char*, 3> kNames{"Sagittal", "Coronal", "Axial"};
+  return kNames[std::size_t(plane)];
+}
+
+ImVec4 colourOf(Plane plane) {
+  const std::array<ImVec4, 3> colours{kSagittal, kCoronal, kAxial};
+  return colours[std::size_t(plane)];
+}
+
+SliceCamera cameraOf(const ViewState& view, Plane plane) {
+  const SlicePose& pose = view.slices[std::size_t(plane)];
+  return {plane, view.cursor, pose.pan, pose.zoom};
+}
+
+SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
+  return sliceFrame(geometry, cameraOf(view, plane), glm::ivec2(pane.size));
+}
+
+template <class T>
+std::uintptr_t nameOf(const std::shared_ptr<T>& object) {
+  return reinterpret_cast<std::uintptr_t>(object.get());
+}
+
+bool marksVoxels(const Workspace& w) {
+  return w.view.surfaceVoxels && w.view.layer != SliceLayer::thinned && w.session.results().thinned;
+}
+
+Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
+  const ViewState& v = w.view;
+  const Results& results = w.session.results();
+  const SlicePose& pose = v.slices[std::size_t(plane)];
+  Hasher hasher("slice");
+  hasher.add(plane).add(size.x).add(size.y).add(v.layer).add(v.grey.level).add(v.grey.width);
+  hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
+  hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
+  hasher.add(nameOf(w.session.scan().volume)).add(nameOf(results.classified)).add(nameOf(results.thinned));
+  hasher.add(marksVoxels(w));
+  return hasher.key();
+}
+
+// The volume that the layer names; the raw one until the other is there.
+const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer layer) {
+  const Results& results = w.session.results();
+  if (layer == SliceLayer::classified && results.classified) {
+    scans.classified.set(results.classified);
+    return scans.classified;
+  }
+  if (layer == SliceLayer::thinned && results.thinned) {
+    scans.thinned.set(results.thinned);
+    return scans.thinned;
+  }
+  scans.raw.set(w.session.scan().volume);
+  return scans.raw;
+}
+
+void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, const Workspace& w) {
+  SliceViewInput input{.frame = w.session.scan().volume->geometry,
+                       .camera = cameraOf(w.view, plane),
+                       .volume = shownVolume(scans, w, w.view.layer)};
+  if (w.view.layer == SliceLayer::raw) input.window = w.view.grey;
+  if (marksVoxels(w)) {
+    input.overlay = &shownVolume(scans, w, SliceLayer::thinned);
+    input.overlayWindow = {0.25f, 0.5f};  // weak voxels are marked as well as strong ones
+    input.overlayOpacity = 0.85f;
+  }
+  view.draw(input, window.picture);
+}
+
+// Where the sound comes from, at the edge on that side.
+void drawProbe(const PaneInput& pane, const Workspace& w, Plane plane) {
+  const Scan& scan = w.session.scan();
+  const Beam beam = beamOf(scan, w.session.parameters().scan);
+  const glm::dvec3 along = glm::transpose(scan.volume->geometry.direction) * beam.axis;
+  const glm::dvec2 seen(along[axisRight(plane)], along[axisDown(plane)]);
+  if (glm::length(seen) < 0.7) return;
+  const float u = unit();
+  const glm::vec2 half = 0.5f * pane.size;
+  const glm::vec2 away = -glm::vec2(glm::normalize(seen));
+  const glm::vec2 reach = half - glm::vec2(26, 20) * u;
+  const float scale =
+      std::min(reach.x / std::max(std::abs(away.x), 1e-3f), reach.y / std::max(std::abs(away.y), 1e-3f));
+  const glm::vec2 place = pane.corner + half + away * scale;
+  const ImVec2 size = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, "probe");
+  shadedText({place.x - 0.5f * size.x, place.y - 0.5f * size.y}, kAccent, "probe");
+}
+
+void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
+  const Geometry& g = w.session.scan().volume->geometry;
+  const int axis = axisAcross(plane);
+  const int slice = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axis]));
+  const bool coarse = w.view.layer == SliceLayer::classified && w.session.classifiedIsCoarse();
+  paneTitle(pane, nameOf(plane), colourOf(plane),
+            fmt::format("{} {} of {}   {:.1f} mm{}", "ijk"[axis], slice + 1, g.dims[axis],
+                        double(slice) * g.spacing[axis], coarse ? "   coarse" : ""));
+  drawProbe(pane, w, plane);
+  const float u = unit();
+  shadedText({pane.corner.x + 12 * u, pane.corner.y + pane.size.y - 24 * u}, kFaintText,
+             fmt::format("{} →   {} ↓", "ijk"[axisRight(plane)], "ijk"[axisDown(plane)]));
+  scaleBar(pane, 1 / frameOf(w.view, plane, g, pane).millimetresPerPixel());
+}
+
+}  // namespace
+
+// The cursor stays inside the volume and, across the slice, on a voxel's centre.
+static glm::dvec3 keepInside(const Geometry& geometry, const glm::dvec3& world) {
+  const glm::dvec3 index = glm::clamp(geometry.toIndex(world), glm::dvec3(0), glm::dvec3(geometry.dims - 1));
+  return geometry.toWorld(glm::round(index));
+}
+
+static void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
+                      const PaneInput& pane) {
+  SlicePose& pose = view.slices[std::size_t(plane)];
+  if (!pane.control) {
+    turns += double(pane.wheel);
+    const double whole = std::trunc(turns);
+    turns -= whole;
+    glm::dvec3 index = geometry.toIndex(view.cursor);
+    index[axisAcross(plane)] += whole;
+    view.cursor = keepInside(geometry, geometry.toWorld(index));
+    return;
+  }
+  // The point under the mouse stays where it is.
+  const glm::dvec2 fromMiddle = glm::dvec2(pane.mouse) - 0.5 * glm::dvec2(pane.size);
+  const double before = frameOf(view, plane, geometry, pane).millimetresPerPixel();
+  pose.zoom = std::clamp(pose.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
+  const double after = frameOf(view, plane, geometry, pane).millimetresPerPixel();
+  pose.pan += fromMiddle * (after - before);
+}
+
+void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
+                const PaneInput& pane) {
+  if (pane.wheel != 0) turnWheel(view, plane, geometry, turns, pane);
+  if (pane.button < 0) return;
+  const SliceFrame frame = frameOf(view, plane, geometry, pane);
+  const glm::vec2 moved = pane.moved / unit();
+  if (pane.button == ImGuiMouseButton_Right) {
+    view.grey.width = std::clamp(view.grey.width + moved.x * 0.004f, 0.02f, 2.0f);
+    view.grey.level = std::clamp(view.grey.level + moved.y * 0.003f, 0.0f, 1.0f);
+  } else if (pane.button == ImGuiMouseButton_Middle || pane.shift) {
+    view.slices[std::size_t(plane)].pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
+  } else {
+    view.cursor = keepInside(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
+  }
+}
+
+void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans,
+                     Workspace& workspace, const PaneInput& pane) {
+  if (!workspace.session.hasScan()) {
+    paneTitle(pane, nameOf(plane), colourOf(plane), "");
+    return;
+  }
+  steerSlice(workspace.view, plane, workspace.session.scan().volume->geometry, window.turns, pane);
+  const glm::ivec2 size = glm::max(glm::ivec2(pane.size), glm::ivec2(1));
+  const Key key = pictureKey(workspace, plane, size);
+  if (!(key == window.drawn)) {
+    if (!view) view.emplace();
+    if (!window.picture) window.picture = gl::Framebuffer({.size = size});
+    window.picture.fit(size);
+    redraw(window, plane, *view, scans, workspace);
+    window.drawn = key;
+  }
+  showTexture(pane, window.picture);
+  drawMarks(pane, workspace, plane);
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,186 @@
+#include "app/views/space_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+#include "render/gl/read_pixels.h"
+
+namespace sonoskin::ui {
+namespace {
+
+constexpr double kMovingBudget = 0.045, kRestingBudget = 0.6;  // seconds for one picture
+constexpr double kWheelRests = 0.25;                           // seconds without a turn
+
+bool showsMesh(const Workspace& w) {
+  return w.view.content == SpaceContent::mesh && w.session.results().mesh;
+}
+
+std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
+  const auto& classified = w.session.results().classified;
+  return w.view.volumeLayer == VolumeLayer::classified && classified ? classified : w.session.scan().volume;
+}
+
+// The fingerprint of everything that the picture depends on.
+Key pictureKey(const Workspace& w, glm::ivec2 size) {
+  const ViewState& v = w.view;
+  Hasher hasher("3D");
+  hasher.addBytes(&v.camera.target, sizeof v.camera.target)
+      .addBytes(&v.camera.forward, sizeof v.camera.forward);
+  hasher.addBytes(&v.camera.up, sizeof v.camera.up).add(v.camera.distance).add(v.camera.fieldOfView);
+  hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle);
+  if (showsMesh(w)) {
+    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get()));
+  } else {
+    hasher.add(shownLevel(v, w.session.results()))
+        .add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
+  }
+  return hasher.key();
+}
+
+void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const gl::Target& target) {
+  if (!window.meshView) window.meshView.emplace();
+  window.mesh.set(w.session.results().mesh);
+  MeshViewInput input{
+      .mesh = window.mesh, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
+  input.look = w.view.meshStyle == MeshStyle::clay ? MeshLook::clay : MeshLook::skin;
+  input.supersampling = supersampling;
+  window.meshView->draw(input, target);
+}
+
+void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int raysPerPixel,
+                const gl::Target& target) {
+  if (!window.raycaster) window.raycaster.emplace();
+  const auto volume = shownVolume(w);
+  GpuVolume& copy = volume == w.session.scan().volume ? scans.raw : scans.classified;
+  copy.set(volume);
+  const float level = static_cast<float>(shownLevel(w.view, w.session.results()));
+  RaycastInput input{.volume = copy, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
+  input.look = w.view.volumeStyle == VolumeStyle::surface ? VolumeLook::surface : VolumeLook::translucent;
+  input.iso = level;
+  input.transfer = amberTransfer(level);
+  input.raysPerPixel = static_cast<float>(raysPerPixel);
+  window.raycaster->draw(input, target);
+}
+
+void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, int samples,
+               const gl::Target& target) {
+  if (showsMesh(w)) {
+    drawMesh(window, w, samples, target);
+  } else {
+    drawVolume(window, scans, w, samples, target);
+  }
+}
+
+// How many pixels the picture gets, so that it is ready within the budget.
+glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, double budget) {
+  const double affordable = budget / window.secondsPerPixel;
+  const double share = std::clamp(std::sqrt(affordable / double(size.x * size.y)), 0.2, 1.0);
+  return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
+}
+
+void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2 size) {
+  if (!window.timer) window.timer.emplace();
+  if (!window.picture) {
+    window.picture = gl::Framebuffer({.size = size, .filter = gl::Filter::linear});
+  }
+  window.picture.fit(size);
+  window.timer->begin();
+  drawScene(window, scans, w, 1, window.picture);
+  window.timer->end();
+  const double perPixel = window.timer->seconds() / (double(size.x) * size.y);
+  // Small pictures cost more per pixel: follow a rise at once, a fall slowly.
+  window.secondsPerPixel = std::max(perPixel, 0.7 * window.secondsPerPixel + 0.3 * perPixel);
+  window.secondsPerPixel = std::clamp(window.secondsPerPixel, 1e-9, 1e-4);
+}
+
+std::string caption(const Workspace& w) {
+  const ViewState& v = w.view;
+  if (showsMesh(w)) {
+    const std::string triangles = grouped(w.session.results().mesh->triangles.size()) + " triangles";
+    return w.session.meshIsCurrent() ? triangles : triangles + ", older than the parameters";
+  }
+  const char* layer = v.volumeLayer == VolumeLayer::raw ? "Raw volume" : "Classified volume";
+  const bool coarse = v.volumeLayer == VolumeLayer::classified && w.session.classifiedIsCoarse();
+  return fmt::format("{}{}, level {:.2f}", layer, coarse ? " (coarse)" : "",
+                     shownLevel(v, w.session.results()));
+}
+
+// The directions of i, j, k as the camera sees them.
+void drawAxes(const PaneInput& pane, const Workspace& w) {
+  const float u = unit(), length = 26 * u;
+  const glm::vec2 middle{pane.corner.x + 42 * u, pane.corner.y + pane.size.y - 42 * u};
+  const glm::mat3 view(w.view.camera.view());
+  const glm::mat3 direction(w.session.scan().volume->geometry.direction);
+  const ImVec4 colours[] = {kSagittal, kCoronal, kAxial};  // of the slices across i, j, k
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::vec3 seen = view * direction[axis];
+    const glm::vec2 end = middle + length * glm::vec2(seen.x, -seen.y);
+    list.AddLine({middle.x, middle.y}, {end.x, end.y}, ImGui::GetColorU32(colours[axis]), 1.5f * u);
+    const glm::vec2 letter = middle + (length + 7 * u) * glm::vec2(seen.x, -seen.y);
+    shadedText({letter.x - 3 * u, letter.y - 7 * u}, colours[axis], std::string(1, "ijk"[axis]));
+  }
+}
+
+}  // namespace
+
+bool steer(Camera& camera, const PaneInput& pane) {
+  constexpr float kRadiansPerPixel = 0.008f, kZoomPerPixel = 1.006f, kZoomPerNotch = 1.12f;
+  const glm::vec2 moved = pane.moved / unit();
+  bool changed = false;
+  if (pane.button >= 0 && pane.moved != glm::vec2(0)) {
+    changed = true;
+    if (pane.button == ImGuiMouseButton_Middle || (pane.button == ImGuiMouseButton_Left && pane.shift)) {
+      camera.pan({pane.moved.x, -pane.moved.y}, static_cast<int>(pane.size.y));
+    } else if (pane.button == ImGuiMouseButton_Left) {
+      camera.orbit(-moved.x * kRadiansPerPixel, moved.y * kRadiansPerPixel);
+    } else {
+      camera.zoom(std::pow(kZoomPerPixel, -moved.y));
+    }
+  }
+  if (pane.wheel != 0) {
+    changed = true;
+    camera.zoom(std::pow(kZoomPerNotch, pane.wheel));
+  }
+  return changed;
+}
+
+double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane) {
+  const double now = ImGui::GetTime();
+  if (!workspace.session.hasScan()) {
+    const Activity activity = workspace.session.activity();
+    if (activity.busy) paneText(pane, fmt::format("{}  {:.0f} %", activity.what, 100 * activity.fraction));
+    paneTitle(pane, "3D", kSurface, "");
+    return -1;
+  }
+  steer(workspace.view.camera, pane);
+  if (pane.wheel != 0) window.restsAt = now + kWheelRests;
+  const bool moving = pane.button >= 0 || now < window.restsAt;
+
+  const Key full = pictureKey(workspace, glm::ivec2(pane.size));
+  const glm::ivec2 size = pictureSize(window, pane.size, moving ? kMovingBudget : kRestingBudget);
+  const Key wanted = Hasher("picture").add(full).add(moving ? 0 : 1).key();
+  const Key inFull = Hasher("picture").add(full).add(1).key();
+  if (!(window.drawn == inFull) && !(window.drawn == wanted)) {
+    redraw(window, scans, workspace, size);
+    // A draft that has all pixels is the full picture.
+    window.drawn = size == glm::ivec2(pane.size) ? inFull : wanted;
+  }
+  showTexture(pane, window.picture);
+  paneTitle(pane, "3D", kSurface, caption(workspace));
+  drawAxes(pane, workspace);
+  scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
+  return now < window.restsAt ? window.restsAt - now : -1;
+}
+
+Image takePicture(SpaceWindow& window, GpuScans& scans, const Workspace& workspace, glm::ivec2 size) {
+  const gl::Framebuffer picture({.size = size});
+  drawScene(window, scans, workspace, 2, picture);
+  return gl::readImage(picture);
+}
+
+}  // namespace sonoskin::ui

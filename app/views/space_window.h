@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include "app/views/pane.h"
+#include "app/workspace.h"
+#include "core/io/image.h"
+#include "render/gl/gpu_timer.h"
+#include "render/gpu_mesh.h"
+#include "render/gpu_volume.h"
+#include "render/mesh_view.h"
+#include "render/raycaster.h"
+
+namespace sonoskin::ui {
+
+// GpuScans: the copies on the GPU that several views share; each is uploaded when a view first shows it.
+struct GpuScans {
+  GpuVolume raw, classified, thinned;
+};
+
+// SpaceWindow: the 3D view. It keeps its picture and draws a new one only when what it shows has changed:
+// with fewer pixels while the camera moves, in full when it rests.
+struct SpaceWindow {
+  std::optional<Raycaster> raycaster;  // made when first needed: shaders take a moment
+  std::optional<MeshView> meshView;
+  std::optional<gl::GpuTimer> timer;
+  GpuMesh mesh;
+  gl::Framebuffer picture;
+  Key drawn;                      // of what the picture shows
+  double secondsPerPixel = 1e-6;  // of the last draw
+  double restsAt = 0;             // ImGui's time when a wheel's turn counts as over
+};
+
+// drawSpaceWindow: the picture and its marks; turns what the mouse did into the camera.
+//   output  seconds after which it wants a frame; negative for never
+double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane);
+
+// steer: what a mouse does to a camera: left rotates, middle or Shift+left pans, right or wheel zooms.
+//   output  whether the camera has changed
+bool steer(Camera& camera, const PaneInput& pane);
+
+// takePicture: the 3D view as a picture for a file, four samples per pixel.
+Image takePicture(SpaceWindow& window, GpuScans& scans, const Workspace& workspace, glm::ivec2 size);
+
+}  // namespace sonoskin::ui
