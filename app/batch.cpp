@@ -77,6 +77,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     frame.beam = beamOf(scan, run.options.parameters.scan);
     VolumePictureOptions look;
     look.iso = float(results.isoValue);
+    look.crop = boxAround(*results.mesh);
     const Progress progress = run.progress.part(kComputed, kDrawn);
     writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, frame));
     progress.update(0.25);

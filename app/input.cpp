@@ -17,4 +17,10 @@ std::string inputName(const std::string& input) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
+Box boxAround(const Mesh& mesh) {
+  constexpr float kMargin = 1.5f;  // mm; the grey of an echo begins a little above the surface found in it
+  const Box box = boundingBox(mesh.positions);
+  return {box.min - kMargin, box.max + kMargin};
+}
+
 }  // namespace sonoskin

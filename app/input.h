@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/progress.h"
+#include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
 #include "core/volume/scan.h"
 
@@ -17,5 +18,9 @@ Scan loadInput(const std::string& input, const Parameters& parameters, const Pro
 
 // inputName: what a report may say of an input: the file's name without its folders.
 std::string inputName(const std::string& input);
+
+// boxAround: the box of a surface and a little more: what a ray-cast shows of the volume, so that the wall of the uterus
+// between probe and face is not in the way.
+Box boxAround(const Mesh& mesh);
 
 }  // namespace sonoskin

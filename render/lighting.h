@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string_view>
 
 #include "render/camera.h"
 #include "render/gl/program.h"
@@ -27,6 +28,12 @@ struct Lighting {
 // portraitLighting: the studio set-up around a camera: key from above and the left, warm; fill from the
 // right, cool.
 Lighting portraitLighting(const Camera& camera);
+
+// parseLighting: the studio set-up with the key light moved, from words.
+//   text    "portrait", or comma-separated azimuth=<degrees to the camera's right>, elevation=<degrees upward>, where
+//           0 and 0 are the camera's own place, and strength=<factor>
+//   errors  Error (usage): an unknown word, not a number, strength not within 0 to 100
+Lighting parseLighting(std::string_view text, const Camera& camera);
 
 // setLights: the uniforms of shaders/common/lighting.glsl.
 void setLights(gl::Program& program, const Lighting& lighting);

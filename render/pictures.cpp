@@ -17,6 +17,28 @@ void checkSize(glm::ivec2 size) {
                 Error::Kind::usage);
 }
 
+// Crop: a part of a volume, as texture coordinates (see RaycastInput) and as the box that the camera looks at.
+struct Crop {
+  glm::vec3 min{0}, max{1};
+  Box box;
+};
+
+Crop cropOf(const Geometry& geometry, const std::optional<Box>& wanted) {
+  const Box whole = worldBox(geometry);
+  if (!wanted) return {.box = whole};
+  Crop crop{glm::vec3(1), glm::vec3(0), {glm::max(whole.min, wanted->min), glm::min(whole.max, wanted->max)}};
+  require(glm::all(glm::lessThan(crop.box.min, crop.box.max)),
+          "the part of the volume to be shown is outside of it");
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
+    const glm::dvec3 index = geometry.toIndex(glm::dvec3(glm::mix(crop.box.min, crop.box.max, high)));
+    const glm::vec3 place(index / glm::dvec3(geometry.dims - 1));  // within half a voxel
+    crop.min = glm::clamp(glm::min(crop.min, place), 0.0f, 1.0f);
+    crop.max = glm::clamp(glm::max(crop.max, place), 0.0f, 1.0f);
+  }
+  return crop;
+}
+
 float aspectOf(glm::ivec2 size) { return float(size.x) / float(size.y); }
 
 }  // namespace
@@ -32,7 +54,7 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
   MeshView view;
   view.draw({.mesh = gpuMesh,
              .camera = camera,
-             .lighting = portraitLighting(camera),
+             .lighting = parseLighting(options.light, camera),
              .look = look,
              .supersampling = 2,
              .shadowSize = 2048},
@@ -50,17 +72,19 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
     volume = std::make_shared<const Volume<float>>(gaussianBlur(*volume, look.smoothing));
   GpuVolume gpuVolume;
   gpuVolume.set(volume);
-  const Camera camera =
-      parseCamera(options.camera, options.beam, worldBox(volume->geometry), aspectOf(options.size));
+  const Crop crop = cropOf(volume->geometry, look.crop);
+  const Camera camera = parseCamera(options.camera, options.beam, crop.box, aspectOf(options.size));
   const gl::Framebuffer picture({.size = options.size});
   Raycaster raycaster;
   raycaster.draw({.volume = gpuVolume,
                   .camera = camera,
-                  .lighting = portraitLighting(camera),
+                  .lighting = parseLighting(options.light, camera),
                   .look = look.look,
                   .iso = look.iso,
                   .transfer = amberTransfer(look.iso),
-                  .gradientReach = 1.5f},
+                  .gradientReach = 1.5f,
+                  .cropMin = crop.min,
+                  .cropMax = crop.max},
                  picture);
   return gl::readImage(picture);
 }

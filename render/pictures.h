@@ -16,9 +16,10 @@ namespace sonoskin {
 
 // PictureOptions: the frame of a finished picture.
 struct PictureOptions {
-  glm::ivec2 size{1280, 960};    // pixels
-  std::string camera = "probe";  // see parseCamera
-  Beam beam;                     // what "probe" means
+  glm::ivec2 size{1280, 960};      // pixels
+  std::string camera = "probe";    // see parseCamera
+  std::string light = "portrait";  // see parseLighting
+  Beam beam;                       // what "probe" means
 };
 
 // pictureOfMesh: the lit surface, four samples per pixel.
@@ -31,10 +32,12 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
 // VolumePictureOptions: how a volume is shown.
 //   iso        0 to 1, the grey value at the border of the skin; the pipeline's Results::isoValue where it
 //   ran smoothing  standard deviation of a low-pass before, in units of the smallest spacing; 0: none
+//   crop       world mm; only what is inside is shown, and fills the picture; without one, everything
 struct VolumePictureOptions {
   VolumeLook look = VolumeLook::translucent;
   float iso = 0.3f;
   double smoothing = 1.2;
+  std::optional<Box> crop{};
 };
 
 // pictureOfVolume: the volume itself, without a mesh, seen as `options` say.
