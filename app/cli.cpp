@@ -67,10 +67,10 @@ int parseAndRun(int argc, char** argv) {
   parameters.addRecipe(program);
 
   Console console;
-  const std::vector<Command> commands = {addRunCommand(program, console), addRenderCommand(program, console),
-                                         addPhantomCommand(program, console),
-                                         addInfoCommand(program, console),
-                                         addRecipeCommand(program, console)};
+  const std::vector<Command> commands = {
+      addRunCommand(program, console),     addRenderCommand(program, console),
+      addPhantomCommand(program, console), addInfoCommand(program, console),
+      addCompareCommand(program, console), addRecipeCommand(program, console)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -11,8 +11,11 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 #include "app/input.h"
+#include "core/base/error.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
+#include "core/io/mesh_reader.h"
+#include "core/io/mesh_writer.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
 
@@ -23,6 +26,7 @@ struct RenderOptions {
   std::string input, out;
   std::string view = "skin", mode = "dvr";
   double level = 0;
+  bool whole = false;
   PictureOptions picture;
   gl::Backend backend = gl::Backend::egl;
   ParameterOptions parameters;
@@ -30,6 +34,28 @@ struct RenderOptions {
 
 // Shares of the time of what comes before the picture.
 constexpr double kLoaded = 0.3, kComputed = 0.9;
+
+bool isMeshFile(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return std::ranges::count(meshExtensions(), extension) > 0;
+}
+
+Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                        Console& console) {
+  if (o.view != "skin" && o.view != "mesh") {
+    throw Error(fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.input),
+                Error::Kind::usage);
+  }
+  console.beginStage("reading");
+  const auto mesh = std::make_shared<const Mesh>(readMesh(o.input, console.progress().part(0, kComputed)));
+  // A mesh file does not tell where the probe was: the options do, for the axes of the world.
+  Scan axes;
+  axes.volume = std::make_shared<const Volume<float>>();
+  o.picture.beam = beamOf(axes, parameters.scan);
+  console.beginStage("picture");
+  return pictureOfMesh(context, mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
+}
 
 Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                           Console& console) {
@@ -43,7 +69,9 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
   if (o.view == "volume") {
     VolumePictureOptions look;
     look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
-    look.iso = float(o.level > 0 ? o.level : compute(Goal::classified).isoValue);
+    const Results results = compute(o.whole ? Goal::classified : Goal::mesh);
+    look.iso = float(o.level > 0 ? o.level : results.isoValue);
+    if (!o.whole) look.crop = boxAround(*results.mesh);
     console.beginStage("picture");
     return pictureOfVolume(context, scan.volume, look, o.picture);
   }
@@ -58,10 +86,13 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
 void render(RenderOptions& options, Console& console) {
   const Timer timer;
   checkOutputFile(options.out, {".png"});
-  parseCamera(options.picture.camera, {}, {}, 1);  // refuses bad words before any work
+  parseLighting(options.picture.light,
+                parseCamera(options.picture.camera, {}, {}, 1));  // refuses bad words now
   const Parameters parameters = options.parameters.resolve();
   const auto context = gl::makeOffscreenContext(options.backend);
-  const Image picture = pictureOfVolumeFile(options, parameters, *context, console);
+  const Image picture = isMeshFile(options.input)
+                            ? pictureOfMeshFile(options, parameters, *context, console)
+                            : pictureOfVolumeFile(options, parameters, *context, console);
   console.progress().throwIfCancelled();
   writePng(options.out, picture);
 
@@ -96,10 +127,17 @@ Command addRenderCommand(CLI::App& program, Console& console) {
                    "for volume: grey of the skin's border, 0 .. 1; found from the volume by default")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.001, 0.999).description(""));
+  command->add_flag("--whole", options->whole,
+                    "for volume: all of it; by default only the box around the surface that was found");
   command
       ->add_option("--camera", options->picture.camera,
                    "probe, front, back, left, right, top, bottom or portrait, and changes to it: azimuth=, "
                    "elevation=, roll= (degrees), zoom=; with commas [default probe]")
+      ->type_name("WORDS");
+  command
+      ->add_option("--light", options->picture.light,
+                   "portrait, or azimuth=, elevation= (degrees from the camera), strength=; with commas "
+                   "[default portrait]")
       ->type_name("WORDS");
   addSizeOption(*command, options->picture.size);
   addBackendOption(*command, options->backend);
