@@ -41,10 +41,12 @@ struct Camera {
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect);
 
 // parseCamera: a camera that sees the whole box, from words.
-//   text    comma-separated: one of the presets, or nothing (probe), then changes to it:
-//           probe (along the middle beam); LPS: front, back, left, right, top, bottom; portrait (y up, from
-//           +z) azimuth=<degrees to the camera's right>, elevation=<degrees upward>, roll=<degrees
-//           clockwise>, zoom=<factor>
+//   text    comma-separated: one of the presets, or nothing (probe), then changes to it
+//           probe      along the middle beam, with the beam's upward direction
+//           front, back, left, right, top, bottom   of the patient (LPS)
+//           portrait   y up, seen from +z, as modelling programs have it
+//           azimuth=   degrees to the camera's right        elevation=  degrees upward
+//           roll=      degrees clockwise                    zoom=       factor
 //   errors  Error (usage): an unknown word, not a number, zoom <= 0
 Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "render/camera.h"
 
 namespace sonoskin {
 namespace {
@@ -118,12 +119,29 @@ void GpuVolume::set(std::shared_ptr<const Volume<std::uint8_t>> volume) {
 
 const gl::Texture& GpuVolume::bricks() {
   if (bricks_ || !floats_) return bricks_;
-  const auto maxima = brickMaxima(*floats_, kBrick);
+  maxima_ = brickMaxima(*floats_, kBrick);
   bricks_ = gl::Texture({.size = (geometry_.dims + kBrick - 1) / kBrick,
                          .format = gl::Format::r32f,
                          .filter = gl::Filter::nearest});
-  bricks_.upload(maxima.data());
+  bricks_.upload(maxima_.data());
   return bricks_;
+}
+
+Box GpuVolume::contentBox(float threshold) {
+  const glm::ivec3 count = bricks().size(), last = geometry_.dims - 1;
+  glm::ivec3 low = last, high(0);
+  for (int k = 0, b = 0; k < count.z; ++k)
+    for (int j = 0; j < count.y; ++j)
+      for (int i = 0; i < count.x; ++i, ++b)
+        if (maxima_[std::size_t(b)] > threshold) {
+          low = glm::min(low, kBrick * glm::ivec3(i, j, k));
+          high = glm::max(high, glm::min(kBrick * (glm::ivec3(i, j, k) + 1), last));
+        }
+  if (glm::any(glm::greaterThan(low, high))) return worldBox(geometry_);
+  Geometry part = geometry_;
+  part.origin = geometry_.toWorld(glm::dvec3(low));
+  part.dims = high - low + 1;
+  return worldBox(part);
 }
 
 const gl::Texture& GpuVolume::shades() {

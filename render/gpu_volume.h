@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "core/mesh/mesh.h"
 #include "core/volume/volume.h"
 #include "render/gl/texture.h"
 
@@ -23,6 +25,8 @@ class GpuVolume {
 
   // values: one 8-bit number per voxel where that is exact, else 16-bit.
   const gl::Texture& values() const { return values_; }
+  // contentBox: world mm, around the bricks that hold a value above `threshold`; around all of them if none does.
+  Box contentBox(float threshold);
   // bricks: for every 8^3 voxels the largest value that interpolation can give between their centres and the
   // next.
   const gl::Texture& bricks();
@@ -37,6 +41,7 @@ class GpuVolume {
   std::shared_ptr<const Volume<float>> floats_;
   std::shared_ptr<const Volume<std::uint8_t>> bytes_;
   Geometry geometry_;
+  std::vector<float> maxima_;  // of the bricks
   gl::Texture values_, bricks_, shades_;
 };
 

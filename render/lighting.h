@@ -35,7 +35,7 @@ Lighting portraitLighting(const Camera& camera);
 //   errors  Error (usage): an unknown word, not a number, strength not within 0 to 100
 Lighting parseLighting(std::string_view text, const Camera& camera);
 
-// setLights: the uniforms of shaders/common/lighting.glsl.
+// setLights: the uniforms of shaders/common/lighting.glsl, the background and the exposure.
 void setLights(gl::Program& program, const Lighting& lighting);
 
 }  // namespace sonoskin

@@ -1,21 +1,18 @@
 #pragma once
 
 #include "render/camera.h"
-#include "render/finish.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/gpu_mesh.h"
 #include "render/lighting.h"
+#include "render/surface_shading.h"
 
 namespace sonoskin {
 
-// MeshLook: what the surface is made of.
-enum class MeshLook { clay, skin };
-
 // MeshViewInput: what MeshView draws.
 //   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light)
-//   unseenShade    0 to 1: how far regions that the probe cannot have seen are greyed
-//   shadowSize     texels along the shadow map's side
+//   unseenShade     0 to 1: how far regions that the probe cannot have seen are greyed
+//   shadowSize      texels along the shadow map's side
 struct MeshViewInput {
   const GpuMesh& mesh;
   const Camera& camera;
@@ -33,15 +30,13 @@ class MeshView {
   MeshView();
 
   void draw(const MeshViewInput& input, const gl::Target& target);
+  // surface: the normals and depths that were drawn last.
+  const gl::Framebuffer& surface() const { return surface_; }
 
  private:
-  void drawShadowMap(const MeshViewInput& input);
-  void drawSamples(const MeshViewInput& input, const glm::mat4& projection);
-
-  gl::Program shadowProgram_, clayProgram_, skinProgram_;
-  gl::Framebuffer shadow_, samples_;
-  glm::mat4 shadowProjection_{1};
-  Finish finish_;
+  gl::Program shadowProgram_, surfaceProgram_;
+  gl::Framebuffer shadow_, surface_;
+  SurfaceShading shading_;
 };
 
 }  // namespace sonoskin

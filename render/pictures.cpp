@@ -73,7 +73,8 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
   GpuVolume gpuVolume;
   gpuVolume.set(volume);
   const Crop crop = cropOf(volume->geometry, look.crop);
-  const Camera camera = parseCamera(options.camera, options.beam, crop.box, aspectOf(options.size));
+  const Box framed = look.crop ? crop.box : gpuVolume.contentBox(look.iso);
+  const Camera camera = parseCamera(options.camera, options.beam, framed, aspectOf(options.size));
   const gl::Framebuffer picture({.size = options.size});
   Raycaster raycaster;
   raycaster.draw({.volume = gpuVolume,

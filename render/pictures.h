@@ -30,8 +30,8 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
                     const PictureOptions& options);
 
 // VolumePictureOptions: how a volume is shown.
-//   iso        0 to 1, the grey value at the border of the skin; the pipeline's Results::isoValue where it
-//   ran smoothing  standard deviation of a low-pass before, in units of the smallest spacing; 0: none
+//   iso        0 to 1, the grey value at the skin's border; the pipeline's Results::isoValue where it ran
+//   smoothing  standard deviation of a low-pass before, in units of the smallest spacing; 0: none
 //   crop       world mm; only what is inside is shown, and fills the picture; without one, everything
 struct VolumePictureOptions {
   VolumeLook look = VolumeLook::translucent;
@@ -40,7 +40,7 @@ struct VolumePictureOptions {
   std::optional<Box> crop{};
 };
 
-// pictureOfVolume: the volume itself, without a mesh, seen as `options` say.
+// pictureOfVolume: the volume itself, without a mesh; the camera frames what is brighter than the iso-value.
 //   volume  values 0 to 1, bright is tissue
 //   errors  as pictureOfMesh; Error (usage): iso not within 0 to 1; Cancelled
 //   cost    about 1 s for 467x255x124 at 1280x960 with two cores and no graphics card

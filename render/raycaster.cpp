@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/hash.h"
 #include "render/light_volume.h"
 
 namespace sonoskin {
@@ -13,22 +12,35 @@ namespace {
 
 constexpr int kLightCell = 4;  // voxels
 
-// The uniforms of shaders/volume/ray.glsl.
-void setRays(gl::Program& program, const RaycastInput& input, float aspect) {
-  const Geometry& g = input.volume.geometry();
-  const Camera& camera = input.camera;
+// View: where rays start and go. World mm.
+struct View {
+  bool perspective = true;
+  glm::vec3 eye, centre, right, up;
+};
+
+View viewOf(const Camera& camera, float aspect) {
   const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
-  const glm::vec3 centre = camera.forward, right = camera.right() * tangent * aspect,
-                  up = camera.up * tangent;
-  const glm::mat3 toIndex(glm::transpose(g.direction));
-  const auto along = [&](const glm::vec3& world) { return toIndex * world / glm::vec3(g.spacing); };
-  program.set("eyeIndex", glm::vec3(g.toIndex(glm::dvec3(camera.eye()))));
-  program.set("rayCentre", along(centre));
-  program.set("rayRight", along(right));
-  program.set("rayUp", along(up));
-  program.set("viewCentre", centre);
-  program.set("viewRight", right);
-  program.set("viewUp", up);
+  return {true, camera.eye(), camera.forward, camera.right() * tangent * aspect, camera.up * tangent};
+}
+
+View viewOf(const LightView& light) {
+  return {false, light.centre + light.radius * light.toLight, -light.toLight, light.right * light.radius,
+          light.up * light.radius};
+}
+
+// The uniforms of shaders/volume/ray.glsl.
+void setRays(gl::Program& program, const RaycastInput& input, const View& view) {
+  const Geometry& g = input.volume.geometry();
+  const glm::mat3 toAxes(glm::transpose(g.direction));
+  const auto toIndex = [&](const glm::vec3& world) { return toAxes * world / glm::vec3(g.spacing); };
+  program.set("perspective", view.perspective ? 1.0f : 0.0f);
+  program.set("eyeIndex", glm::vec3(g.toIndex(glm::dvec3(view.eye))));
+  program.set("rayCentre", toIndex(view.centre));
+  program.set("rayRight", toIndex(view.right));
+  program.set("rayUp", toIndex(view.up));
+  program.set("viewCentre", view.centre);
+  program.set("viewRight", view.right);
+  program.set("viewUp", view.up);
   program.set("dims", g.dims);
   const glm::vec3 last(g.dims - 1);
   program.set("boxMin", input.cropMin * last);
@@ -38,65 +50,111 @@ void setRays(gl::Program& program, const RaycastInput& input, float aspect) {
   program.set("bricks", 1);
 }
 
+void setValues(gl::Program& program, const RaycastInput& input) {
+  const Geometry& g = input.volume.geometry();
+  input.volume.values().bind(0);
+  program.set("values", 0);
+  program.set("iso", input.iso);
+  program.set("gradientReach", input.gradientReach);
+  const glm::mat3 axes(g.direction);
+  const glm::vec3 spacing(g.spacing);
+  program.set("gradientToWorld", glm::mat3(axes[0] / spacing.x, axes[1] / spacing.y, axes[2] / spacing.z));
+}
+
 Key lightKeyOf(const RaycastInput& input) {
   Hasher hasher("light");
   hasher.add(input.volume.values().name());
   for (int c = 0; c < 3; ++c) hasher.add(input.lighting.key.direction[c]);
   for (const auto& p : input.transfer.points)
     hasher.add(p.value).add(p.opacity).add(p.colour.x).add(p.colour.y).add(p.colour.z);
-  return hasher.add(input.shadows).key();
+  return hasher.key();
+}
+
+glm::ivec2 scaled(glm::ivec2 size, float factor) {
+  return glm::max(glm::ivec2(glm::round(glm::vec2(size) * factor)), glm::ivec2(1));
 }
 
 }  // namespace
 
 Raycaster::Raycaster()
     : surfaceProgram_({"common/fullscreen.vert", "volume/surface.frag"}),
-      shadowedProgram_({"common/fullscreen.vert", "volume/surface.frag"}, {"SHADOW"}),
+      shadowProgram_({"common/fullscreen.vert", "volume/surface.frag"}, {"DEPTH_ONLY"}),
       translucentProgram_({"common/fullscreen.vert", "volume/translucent.frag"}),
-      samples_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .depth = gl::Format::depth32f}),
+      finishProgram_({"common/fullscreen.vert", "volume/finish.frag"}),
+      surface_(surfaceBuffer()),
+      shadow_(shadowBuffer()),
+      translucent_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .filter = gl::Filter::linear}),
       small_({.size = {1, 1}, .filter = gl::Filter::linear}) {}
 
 void Raycaster::draw(const RaycastInput& input, const gl::Target& target) {
-  const float aspect = float(target.size.x) / float(target.size.y);
-  const glm::mat4 projection = input.camera.projection(aspect, worldBox(input.volume.geometry()));
-  samples_.fit(glm::max(glm::ivec2(glm::round(glm::vec2(target.size) * input.raysPerPixel)), glm::ivec2(1)));
-  const bool surface = input.look == VolumeLook::surface;
-  samples_.clear(surface ? glm::vec4(0, 0, 0, -1) : glm::vec4(0));
-  if (input.volume.floats()) {
-    if (surface)
-      castSurface(input, projection);
-    else
-      castTranslucent(input);
-  }
-  finish(input, projection, target);
+  glDisable(GL_BLEND);
+  if (input.look == VolumeLook::surface)
+    drawSurface(input, target);
+  else
+    drawTranslucent(input, target);
 }
 
-void Raycaster::castSurface(const RaycastInput& input, const glm::mat4& projection) {
-  const Geometry& g = input.volume.geometry();
-  auto& program = input.shadows ? shadowedProgram_ : surfaceProgram_;
-  setRays(program, input, float(samples_.size().x) / float(samples_.size().y));
-  setLights(program, input.lighting);
-  input.volume.values().bind(0);
-  program.set("values", 0);
-  program.set("iso", input.iso);
-  program.set("smoothing", input.gradientReach);
-  const glm::mat3 axes(g.direction);
-  const glm::vec3 spacing(g.spacing);
-  program.set("gradientToWorld", glm::mat3(axes[0] / spacing.x, axes[1] / spacing.y, axes[2] / spacing.z));
-  program.set("keyIndex", glm::transpose(axes) * input.lighting.key.direction / spacing);
-  program.set("diagonal", float(worldDiagonal(g)));
-  program.set("depthTerms", glm::vec2(-0.5f * projection[3][2], 0.5f * (1 - projection[2][2])));
-  samples_.bind();
-  glDisable(GL_BLEND);
-  program.use();
+void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target) {
+  const bool coarse = input.raysPerPixel < 1;
+  const int samples = coarse ? 1 : std::clamp(int(std::lround(input.raysPerPixel)), 1, 2);
+  const glm::ivec2 size = coarse ? scaled(target.size, input.raysPerPixel) : target.size;
+  const float aspect = float(size.x) / float(size.y);
+  const Box box = worldBox(input.volume.geometry());
+  const glm::mat4 projection = input.camera.projection(aspect, box);
+  const LightView lightView(input.lighting.key.direction, box);
+  surface_.fit(size * samples);
+  surface_.clear({});
+  shadow_.fit(glm::ivec2(input.shadowSize));
+  shadow_.clear({});
+  if (input.volume.floats()) {
+    castShadow(input, lightView);
+    setRays(surfaceProgram_, input, viewOf(input.camera, aspect));
+    setValues(surfaceProgram_, input);
+    surfaceProgram_.set("depthTerms", depthTerms(projection));
+    surface_.bind();
+    surfaceProgram_.use();
+    gl::drawFullScreen(gl::DepthWrite::on);
+  }
+  if (coarse) small_.fit(size);
+  shading_.draw({.surface = surface_,
+                 .shadow = shadow_,
+                 .lightView = lightView,
+                 .camera = input.camera,
+                 .lighting = input.lighting,
+                 .projection = projection,
+                 .look = MeshLook::amber,
+                 .samplesPerSide = samples,
+                 .size = 0.7f * box.diagonal()},
+                coarse ? gl::Target(small_) : target);
+  if (coarse) gl::copyStretched(small_, target);
+}
+
+void Raycaster::castShadow(const RaycastInput& input, const LightView& lightView) {
+  setRays(shadowProgram_, input, viewOf(lightView));
+  setValues(shadowProgram_, input);
+  shadowProgram_.set("depthTerms", glm::vec2(0.5f / lightView.radius, 0));
+  shadow_.bind();
+  shadowProgram_.use();
   gl::drawFullScreen(gl::DepthWrite::on);
 }
 
-void Raycaster::castTranslucent(const RaycastInput& input) {
+void Raycaster::drawTranslucent(const RaycastInput& input, const gl::Target& target) {
+  translucent_.fit(scaled(target.size, input.raysPerPixel));
+  translucent_.clear({});
+  if (input.volume.floats()) castTranslucent(input, float(target.size.x) / float(target.size.y));
+  target.bind();
+  finishProgram_.use();
+  setLights(finishProgram_, input.lighting);
+  translucent_.colour().bind(0);
+  finishProgram_.set("samples", 0);
+  gl::drawFullScreen();
+}
+
+void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
   const Geometry& g = input.volume.geometry();
   updateLight(input);
   auto& program = translucentProgram_;
-  setRays(program, input, float(samples_.size().x) / float(samples_.size().y));
+  setRays(program, input, viewOf(input.camera, aspect));
   setLights(program, input.lighting);
   input.volume.shades().bind(0);
   light_.bind(2);
@@ -110,8 +168,7 @@ void Raycaster::castTranslucent(const RaycastInput& input) {
   const glm::mat3 toAxes(glm::transpose(g.direction));
   program.set("keyAxes", toAxes * input.lighting.key.direction);
   program.set("fillAxes", toAxes * input.lighting.fill.direction);
-  samples_.bind();
-  glDisable(GL_BLEND);
+  translucent_.bind();
   program.use();
   gl::drawFullScreen();
 }
@@ -121,28 +178,10 @@ void Raycaster::updateLight(const RaycastInput& input) {
   if (key == lightKey_) return;
   lightKey_ = key;
   transfer_ = makeTransferTexture(input.transfer);
-  const auto& volume = *input.volume.floats();
   const Volume<float> light =
-      input.shadows ? lightVolume(volume, input.transfer, input.lighting.key.direction, kLightCell)
-                    : Volume<float>(Geometry{.dims = glm::ivec3(1)}, 1.0f);
+      lightVolume(*input.volume.floats(), input.transfer, input.lighting.key.direction, kLightCell);
   light_ = gl::Texture({.size = light.geometry.dims, .format = gl::Format::r32f});
   light_.upload(light.data.data());
-}
-
-void Raycaster::finish(const RaycastInput& input, const glm::mat4& projection, const gl::Target& target) {
-  const bool coarse = input.raysPerPixel < 1;
-  if (coarse) small_.fit(samples_.size());
-  const gl::Target to = coarse ? gl::Target(small_) : target;
-  const FinishInput in{.samples = samples_,
-                       .lighting = input.lighting,
-                       .projection = projection,
-                       .supersampling = std::max(int(std::lround(input.raysPerPixel)), 1),
-                       .radius = 0.04f * float(worldDiagonal(input.volume.geometry()))};
-  if (input.look == VolumeLook::surface)
-    finish_.surface(in, to);
-  else
-    finish_.volume(in, to);
-  if (coarse) gl::copyStretched(small_, target);
 }
 
 }  // namespace sonoskin

@@ -1,17 +1,18 @@
 #pragma once
 
+#include "core/base/hash.h"
 #include "render/camera.h"
-#include "render/finish.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/gpu_volume.h"
 #include "render/lighting.h"
+#include "render/surface_shading.h"
 #include "render/transfer_function.h"
 
 namespace sonoskin {
 
-// VolumeLook: surface: the first place along a ray where the value reaches `iso`; translucent: everything
-// that the transfer function shows, front to back.
+// VolumeLook: surface: the first place along a ray where the value reaches `iso`; translucent: all that the
+// transfer function shows, front to back.
 enum class VolumeLook { surface, translucent };
 
 // RaycastInput: what Raycaster draws.
@@ -20,8 +21,8 @@ enum class VolumeLook { surface, translucent };
 //   transfer           (translucent)
 //   gradientReach      voxels to each side for the surface's normal; more is smoother
 //   cropMin, cropMax   the part of the volume that is shown, 0 to 1 along i, j, k
-//   raysPerPixel       along one side: below 1 for interaction, 1, or a whole number for pictures
-//   shadows            of the key light
+//   raysPerPixel       along one side: below 1 for interaction, 1, or 2 for pictures of surfaces
+//   shadowSize         texels along the shadow map's side (surface)
 struct RaycastInput {
   GpuVolume& volume;
   const Camera& camera;
@@ -32,31 +33,32 @@ struct RaycastInput {
   float gradientReach = 1;
   glm::vec3 cropMin{0}, cropMax{1};
   float raysPerPixel = 1;
-  bool shadows = true;
+  int shadowSize = 384;
 };
 
-// Raycaster: a volume without a mesh. Rays start at a fixed, pixel-dependent fraction of a step, so that
-// steps do not show as bands; bricks with nothing to see are leapt over.
+// Raycaster: a volume without a mesh. Rays start at a fixed, pixel-dependent fraction of a step, so that steps
+// do not show as bands; bricks with nothing to see are leapt over.
 class Raycaster {
  public:
   Raycaster();
 
   // draw: to the whole of the target, the background included.
   void draw(const RaycastInput& input, const gl::Target& target);
-  // samples: what was drawn last, before the finish: scene-linear colour, and depth for surfaces.
-  const gl::Framebuffer& samples() const { return samples_; }
+  // surface: the normals and depths that were drawn last (surface).
+  const gl::Framebuffer& surface() const { return surface_; }
 
  private:
-  void castSurface(const RaycastInput& input, const glm::mat4& projection);
-  void castTranslucent(const RaycastInput& input);
+  void drawSurface(const RaycastInput& input, const gl::Target& target);
+  void castShadow(const RaycastInput& input, const LightView& lightView);
+  void drawTranslucent(const RaycastInput& input, const gl::Target& target);
+  void castTranslucent(const RaycastInput& input, float aspect);
   void updateLight(const RaycastInput& input);
-  void finish(const RaycastInput& input, const glm::mat4& projection, const gl::Target& target);
 
-  gl::Program surfaceProgram_, shadowedProgram_, translucentProgram_;
-  gl::Framebuffer samples_, small_;
+  gl::Program surfaceProgram_, shadowProgram_, translucentProgram_, finishProgram_;
+  gl::Framebuffer surface_, shadow_, translucent_, small_;
   gl::Texture light_, transfer_;
   Key lightKey_;
-  Finish finish_;
+  SurfaceShading shading_;
 };
 
 }  // namespace sonoskin

@@ -25,9 +25,9 @@ float TransferFunction::threshold() const {
 
 TransferFunction amberTransfer(float iso) {
   return {{{0.55f * iso, {0.20f, 0.035f, 0.010f}, 0},
-           {iso, {0.55f, 0.20f, 0.075f}, 0.10f},
-           {std::min(1.45f * iso, 0.5f + 0.5f * iso), {0.85f, 0.45f, 0.20f}, 0.32f},
-           {1, {1.0f, 0.86f, 0.62f}, 0.55f}}};
+           {iso, {0.55f, 0.20f, 0.075f}, 0.13f},
+           {std::min(1.45f * iso, 0.5f + 0.5f * iso), {0.85f, 0.45f, 0.20f}, 0.42f},
+           {1, {1.0f, 0.86f, 0.62f}, 0.65f}}};
 }
 
 TransferFunction greyTransfer(float iso) {

@@ -1,7 +1,8 @@
 // The ray of a pixel through a volume. Positions are voxel indices (a voxel's centre is at whole numbers); t is the
-// depth along the view's middle in mm, so rays are not of unit length.
-uniform vec3 eyeIndex;                     // the camera's eye, in voxel indices
-uniform vec3 rayCentre, rayRight, rayUp;   // voxel indices per unit of t: the middle, and what the edges add
+// depth along the view's middle in mm, so rays of a perspective are not of unit length.
+uniform float perspective;                 // 1: rays meet at the eye; 0: they are parallel (a far light's view)
+uniform vec3 eyeIndex;                     // the eye, in voxel indices
+uniform vec3 rayCentre, rayRight, rayUp;   // voxel indices: the middle per mm, and what the edges add
 uniform vec3 viewCentre, viewRight, viewUp;  // the same in world mm
 uniform ivec3 dims;
 uniform vec3 boxMin, boxMax;               // the part that is shown, in voxel indices
@@ -11,8 +12,8 @@ uniform sampler3D bricks;
 const float brickSide = 8.0;
 
 struct Ray {
+  vec3 origin;      // voxel indices
   vec3 direction;   // voxel indices per unit of t
-  vec3 world;       // unit, world
   float from, to;   // where it enters and leaves the box; from >= to where it misses
   float step;       // stepLength in units of t
 };
@@ -21,13 +22,13 @@ vec3 nonZero(vec3 v) { return mix(v, vec3(1e-9), lessThan(abs(v), vec3(1e-9))); 
 
 Ray makeRay(vec2 uv) {
   vec2 ndc = 2.0 * uv - 1.0;
+  vec3 aside = ndc.x * rayRight + ndc.y * rayUp;
   Ray ray;
-  ray.direction = rayCentre + ndc.x * rayRight + ndc.y * rayUp;
-  vec3 world = viewCentre + ndc.x * viewRight + ndc.y * viewUp;
-  ray.world = normalize(world);
-  ray.step = stepLength / length(world);
+  ray.origin = eyeIndex + (1.0 - perspective) * aside;
+  ray.direction = rayCentre + perspective * aside;
+  ray.step = stepLength / length(viewCentre + perspective * (ndc.x * viewRight + ndc.y * viewUp));
   vec3 inverse = 1.0 / nonZero(ray.direction);
-  vec3 t0 = (boxMin - eyeIndex) * inverse, t1 = (boxMax - eyeIndex) * inverse;
+  vec3 t0 = (boxMin - ray.origin) * inverse, t1 = (boxMax - ray.origin) * inverse;
   vec3 enter = min(t0, t1), leave = max(t0, t1);
   ray.from = max(max(enter.x, max(enter.y, enter.z)), 0.0);
   ray.to = min(leave.x, min(leave.y, leave.z));

@@ -24,7 +24,7 @@ void main() {
   float through = 1.0;
   vec3 ambientColour = 0.5 * (skyColour + groundColour);
   while (t < ray.to && through > 0.01) {
-    vec3 index = eyeIndex + t * ray.direction;
+    vec3 index = ray.origin + t * ray.direction;
     if (brickMaximum(index) <= threshold) {
       t = leap(ray, t, index, offset);
     } else {

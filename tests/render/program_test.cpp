@@ -13,7 +13,7 @@ class ProgramTest : public GlTest {};
 
 TEST_F(ProgramTest, SaysWhereAShaderIsWrong) {
   try {
-    Program({"common/fullscreen.vert", "common/finish.frag"}, {"SURFACE", "toneMap 1 +* 2"});
+    Program({"common/fullscreen.vert", "volume/finish.frag"}, {"toneMap 1 +* 2"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("common/colour.glsl:"), std::string::npos) << error.what();
@@ -21,7 +21,7 @@ TEST_F(ProgramTest, SaysWhereAShaderIsWrong) {
 }
 
 TEST_F(ProgramTest, MovedFromProgramIsEmpty) {
-  Program program({"common/fullscreen.vert", "common/finish.frag"}, {"VOLUME"});
+  Program program({"common/fullscreen.vert", "volume/finish.frag"});
   const unsigned name = program.name();
   Program moved = std::move(program);
   EXPECT_EQ(moved.name(), name);

@@ -1,0 +1,126 @@
+// From a surface buffer (normals and depth, several samples per pixel) to an sRGB picture. Pixels whose samples
+// lie on one smooth piece of the surface are shaded once, the others once per sample.
+// Variants: SKIN, AMBER (a volume's surface), or neutral clay; SAMPLES (per pixel, along one side).
+#include "common/colour.glsl"
+#include "common/lighting.glsl"
+#include "common/noise.glsl"
+#include "common/screen.glsl"
+
+in vec2 uv;
+
+uniform sampler2D normalMap;  // xyz: toward the outside, any length; w: what the probe can have seen, 0 to 1; w is
+                              // negative, -1 less, on inner sides, which point toward the eye
+uniform sampler2D depthMap;
+uniform sampler2D occlusionMap;
+uniform sampler2DShadow shadowMap;
+uniform mat4 shadowMatrix;    // world -> shadow map, each axis 0 to 1
+uniform float shadowOffset;   // mm along the normal, against a surface shadowing itself
+uniform float shadowRadius;   // of the penumbra, in shadow-map units
+uniform float unseenShade;    // 0 to 1: how far regions that the probe cannot have seen are greyed
+uniform float exposure;
+uniform vec3 backgroundTop, backgroundBottom;
+
+layout(location = 0) out vec4 colour;
+
+#if defined(SKIN)
+const vec3 skinAlbedo = vec3(0.78, 0.475, 0.35);
+const vec3 wrap = vec3(0.42, 0.18, 0.12);        // red light travels farthest below the skin
+const vec3 shadowPower = vec3(0.55, 0.95, 1.05);  // and so it reaches into shadows
+const float roughness = 0.44, f0 = 0.028, shine = 1.0;
+#elif defined(AMBER)
+const vec3 skinAlbedo = vec3(0.80, 0.45, 0.235);
+const vec3 wrap = vec3(0.40, 0.20, 0.12), shadowPower = vec3(0.6, 0.95, 1.05);
+const float roughness = 0.5, f0 = 0.03, shine = 0.8;
+#else
+const vec3 skinAlbedo = vec3(0.60, 0.585, 0.56);
+const vec3 wrap = vec3(0.10), shadowPower = vec3(1.0);
+const float roughness = 0.55, f0 = 0.04, shine = 0.6;
+#endif
+
+const int shadowTaps = 12;
+
+float keyShadow(vec3 position, vec3 normal) {
+  float slope = 1.0 - abs(dot(normal, keyDirection));
+  vec3 place = (shadowMatrix * vec4(position + normal * shadowOffset * (0.3 + slope), 1.0)).xyz;
+  float angle = 6.2831853 * pixelNoise(gl_FragCoord.xy);
+  float light = 0.0;
+  for (int i = 0; i < shadowTaps; ++i)
+    light += texture(shadowMap, place + vec3(shadowRadius * discPoint(i, shadowTaps, angle), 0.0));
+  return light / float(shadowTaps);
+}
+
+// What arrives of the light from all around, per channel: light that is reflected in folds takes on the surface's
+// colour. [fit of Jimenez et al. 2016]
+vec3 reflectedOcclusion(float arriving, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
+  return max(vec3(arriving), ((arriving * a + b) * arriving + c) * arriving);
+}
+
+// The mean over 4x4 pixels, which is the noise's period, of those on the same surface.
+float smoothOcclusion(ivec2 pixel, int taps) {
+  vec2 here = texelFetch(occlusionMap, pixel, 0).xy;
+  ivec2 last = textureSize(occlusionMap, 0) - 1;
+  float sum = 0.0, weights = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    vec2 there = texelFetch(occlusionMap, clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last), 0).xy;
+    float weight = max(1.0 - abs(there.y - here.y) / (0.01 * here.y), 1e-3);
+    sum += weight * there.x;
+    weights += weight;
+  }
+  return sum / max(weights, 1e-3);
+}
+
+vec3 shade(vec3 position, vec3 normal, float seen, float arriving) {
+  vec3 toEye = normalize(eye - position);
+  bool inner = seen < 0.0;
+  vec3 albedo = skinAlbedo;
+  float unseen = unseenShade * (1.0 - (inner ? 1.0 : seen));
+  albedo = mix(albedo, vec3(luminance(albedo)) * vec3(0.55, 0.6, 0.7), unseen);
+  vec3 key = keyColour * pow(vec3(keyShadow(position, normal)), shadowPower);
+  vec3 fill = fillColour * mix(1.0, arriving, 0.6);
+  vec3 sum = albedo * (key * wrapped(dot(normal, keyDirection), wrap) * mix(1.0, arriving, 0.3) +
+                       fill * wrapped(dot(normal, fillDirection), wrap));
+  sum += shine * (key * specular(normal, toEye, keyDirection, roughness, f0) +
+                  fill * specular(normal, toEye, fillDirection, roughness, f0));
+  float edge = pow(1.0 - max(dot(normal, toEye), 0.0), 3.0);
+  vec3 around = hemisphere(normal) + rimColour * edge * (0.4 + 0.6 * max(dot(normal, rimDirection), 0.0));
+  sum += albedo * around * reflectedOcclusion(arriving, albedo);
+  return inner ? sum * vec3(0.35, 0.33, 0.36) : sum;
+}
+
+void main() {
+  const int n = SAMPLES * SAMPLES;
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 surfaces[n];
+  float depths[n];
+  vec4 meanSurface = vec4(0.0);
+  float meanDepth = 0.0, least = 1.0, most = 0.0;
+  for (int i = 0; i < n; ++i) {
+    ivec2 texel = pixel * SAMPLES + ivec2(i % SAMPLES, i / SAMPLES);
+    depths[i] = texelFetch(depthMap, texel, 0).r;
+    surfaces[i] = texelFetch(normalMap, texel, 0);
+    surfaces[i].xyz *= inversesqrt(max(dot(surfaces[i].xyz, surfaces[i].xyz), 1e-12));
+    meanSurface += surfaces[i] / float(n);
+    meanDepth += depths[i] / float(n);
+    least = min(least, depths[i]);
+    most = max(most, depths[i]);
+  }
+  bool empty = least >= 1.0;
+  bool smoothPiece = most < 1.0 && dot(meanSurface.xyz, meanSurface.xyz) > 0.94 &&
+                     distanceOf(most) - distanceOf(least) < 0.01 * distanceOf(least);
+  float height = uv.y + 0.25 * (uv.x - 0.5) * (uv.x - 0.5);
+  vec3 background = mix(backgroundBottom, backgroundTop, smoothstep(0.0, 1.0, height));
+  int count = empty ? 0 : smoothPiece ? 1 : n;
+  float arriving = smoothOcclusion(pixel, empty ? 0 : 16);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < count; ++i) {
+    vec4 surface = smoothPiece ? meanSurface : surfaces[i];
+    float depth = smoothPiece ? meanDepth : depths[i];
+    vec3 position = eye + distanceOf(depth) * rayAt(uv);
+    vec3 shown = toneMap(exposure * shade(position, normalize(surface.xyz), surface.w, arriving));
+    sum += depth < 1.0 ? shown : background;
+  }
+  vec3 linear = count > 0 ? sum / float(count) : background;
+  float dither = (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0;
+  colour = vec4(toSrgb(linear) + dither, 1.0);
+}
