@@ -74,7 +74,12 @@ fs::path besideHeader(const fs::path& header, std::string_view name) {
 std::optional<Beam> beamFromKeys(const HeaderKeys& keys) {
   const std::optional<glm::dvec3> axis = vectorOf(keys, kBeamAxisKey);
   if (!axis || !(glm::length(*axis) > 1e-6)) return {};
-  return Beam{vectorOf(keys, kBeamApexKey), glm::normalize(*axis)};
+  Beam beam;
+  beam.apex = vectorOf(keys, kBeamApexKey);
+  beam.axis = glm::normalize(*axis);
+  if (const auto up = vectorOf(keys, kBeamUpKey); up && glm::length(*up) > 1e-6)
+    beam.up = glm::normalize(*up);
+  return beam;
 }
 
 std::optional<std::pair<double, double>> rangeFromKeys(const HeaderKeys& keys) {

@@ -65,6 +65,7 @@ std::filesystem::path besideHeader(const std::filesystem::path& header, std::str
 
 // The keys under which our files keep what NRRD and MetaImage have no field for.
 inline constexpr const char* kBeamAxisKey = "sonoskin_beam_axis";
+inline constexpr const char* kBeamUpKey = "sonoskin_beam_up";
 inline constexpr const char* kBeamApexKey = "sonoskin_beam_apex";
 inline constexpr const char* kRangeKey = "sonoskin_range";
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/normalise.h"
@@ -51,6 +52,10 @@ Loaded load(const fs::path& path, const Progress& progress) {
   return loaded;
 }
 
+int timeStepsOf(const StoredVolume& stored) {
+  return stored.timeIsFastest ? stored.components : stored.timeSteps;
+}
+
 }  // namespace
 
 Scan readScan(const fs::path& path, const Progress& progress) {
@@ -64,6 +69,9 @@ Scan readScan(const fs::path& path, const Progress& progress) {
   scan.spacingKnown = loaded.stored.spacingKnown;
   scan.beam = loaded.stored.beam;
   scan.key = scanKey(*scan.volume, scan.beam);
+  if (const int steps = timeStepsOf(loaded.stored); steps > 1)
+    log(LogLevel::info,
+        fmt::format("{} has {} time steps; the first is used.", path.filename().string(), steps));
   return scan;
 }
 
@@ -76,7 +84,7 @@ VolumeInfo readVolumeInfo(const fs::path& path, const Progress& progress) {
   info.spacingKnown = loaded.stored.spacingKnown;
   info.numberType = numberTypeName(loaded.stored.type);
   info.components = loaded.stored.timeIsFastest ? 1 : loaded.stored.components;
-  info.timeSteps = loaded.stored.timeIsFastest ? loaded.stored.components : loaded.stored.timeSteps;
+  info.timeSteps = timeStepsOf(loaded.stored);
   info.valueMin = normalised.valueMin;
   info.valueMax = normalised.valueMax;
   info.bytes = loaded.bytes;

@@ -51,6 +51,7 @@ void setKeys(itk::ImageIOBase& io, const std::optional<Beam>& beam, bool isFloat
   itk::MetaDataDictionary keys;
   if (isFloat) itk::EncapsulateMetaData<std::string>(keys, kRangeKey, "0 1");
   if (beam) itk::EncapsulateMetaData<std::string>(keys, kBeamAxisKey, text(beam->axis));
+  if (beam) itk::EncapsulateMetaData<std::string>(keys, kBeamUpKey, text(beam->up));
   if (beam && beam->apex) itk::EncapsulateMetaData<std::string>(keys, kBeamApexKey, text(*beam->apex));
   io.SetMetaDataDictionary(keys);
 }

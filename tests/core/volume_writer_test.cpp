@@ -67,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(All, VolumeFormat, testing::Values(".nrrd", ".mha", ".n
 
 TEST(WriteVolume, KeepsTheBeam) {
   const auto volume = filledVolume<float>(turnedGeometry());
-  const Beam sector{glm::dvec3(1.5, -2.25, 0.1), glm::normalize(glm::dvec3(1, 2, 3))};
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(1, 2, 3)), up = glm::normalize(glm::dvec3(-2, 1, 0));
+  const Beam sector{glm::dvec3(1.5, -2.25, 0.1), axis, up};
   const Beam parallel{{}, {0, 0, -1}};
   for (const char* name : {"a.nrrd", "a.mha"}) {
     const TempFolder folder;
@@ -76,6 +77,7 @@ TEST(WriteVolume, KeepsTheBeam) {
     ASSERT_TRUE(scan.beam && scan.beam->apex);
     EXPECT_LT(glm::distance(*scan.beam->apex, *sector.apex), 1e-12);
     EXPECT_LT(glm::distance(scan.beam->axis, sector.axis), 1e-12);
+    EXPECT_LT(glm::distance(scan.beam->up, sector.up), 1e-12);
     writeVolume(folder / name, volume, parallel);
     scan = readScan(folder / name);
     ASSERT_TRUE(scan.beam && !scan.beam->apex);
