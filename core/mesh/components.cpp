@@ -203,8 +203,7 @@ class FirstHits {
 
 }  // namespace
 
-std::size_t pieceInView(const std::vector<Mesh>& pieces, const Beam& beam, const glm::dvec3& middle) {
-  require(!pieces.empty(), "There is no surface to choose from.");
+std::vector<double> viewShares(const std::vector<Mesh>& pieces, const Beam& beam, const glm::dvec3& middle) {
   const BeamFrame frame(beam, middle);
   std::vector<std::vector<BeamPlace>> places(pieces.size());
   double halfExtent = 1e-9;
@@ -220,7 +219,9 @@ std::size_t pieceInView(const std::vector<Mesh>& pieces, const Beam& beam, const
       hits.draw(std::uint32_t(p), places[p][t[0]], places[p][t[1]], places[p][t[2]]);
   std::vector<double> scores(pieces.size(), 0);
   hits.addScores(scores);
-  return std::size_t(std::max_element(scores.begin(), scores.end()) - scores.begin());
+  const double best = pieces.empty() ? 0 : *std::max_element(scores.begin(), scores.end());
+  for (double& score : scores) score = best > 0 ? score / best : 1;
+  return scores;
 }
 
 }  // namespace sonoskin

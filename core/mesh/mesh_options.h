@@ -18,6 +18,7 @@ struct MeshOptions {
   double support = 1.0;
   double maxGap = 4;
   PieceChoice piece = PieceChoice::probe;
+  double companions = 0.1;
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
 };
@@ -34,6 +35,9 @@ void fields(F&& f, O& o) {
     o.maxGap, Range{1.0, 100.0});
   f(Field{"piece", "probe: the piece most in the probe's view; largest: by area; index, point: see below"},
     o.piece);
+  f(Field{"companions",
+          "for piece = probe: pieces that fill this share of its view are kept too; 1 keeps it alone"},
+    o.companions, Range{0.0, 1.0});
   f(Field{"pieceIndex", "for piece = index: 0 is the piece with the largest area, 1 the next, ..."},
     o.pieceIndex, Range{0, 1000000});
   f(Field{"piecePoint", "for piece = point: the piece nearest to this point of the volume's frame", "mm"},

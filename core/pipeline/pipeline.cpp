@@ -62,13 +62,22 @@ Points findPoints(const Volume<float>& classified, const Prepared& prepared, con
 
 glm::dvec3 centreOf(const Geometry& g) { return g.toWorld(0.5 * glm::dvec3(g.dims - 1)); }
 
+// The pieces that fill at least `share` of the view that the best one fills: a face and, say, the shoulders beyond
+// a shadow.
+Mesh piecesInView(const std::vector<Mesh>& pieces, const std::vector<double>& shares, double share) {
+  std::vector<Mesh> chosen;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (shares[p] >= share) chosen.push_back(pieces[p]);
+  return joinPieces(chosen);
+}
+
 // The piece of the surface that the options ask for.
 Mesh choosePiece(const std::vector<Mesh>& pieces, const MeshOptions& options, const Beam& beam,
                  const glm::dvec3& middle) {
   require(!pieces.empty(), "the surface is empty: lower mesh.support or raise mesh.maxGap");
   switch (options.piece) {
     case PieceChoice::probe:
-      return pieces[pieceInView(pieces, beam, middle)];
+      return piecesInView(pieces, viewShares(pieces, beam, middle), options.companions);
     case PieceChoice::largest:
       return pieces.front();
     case PieceChoice::index:
