@@ -166,11 +166,8 @@ void placeInWorld(const Nrrd& nrrd, std::vector<glm::dvec3> directions, std::siz
   for (int a = 0; a < 3 && stored.spacingKnown; ++a) g.spacing[a] = (*spacings)[firstAxis + std::size_t(a)];
 }
 
-}  // namespace
-
-StoredVolume readNrrdHeader(const fs::path& path) {
-  const std::string text = readHeaderText(path);
-  const Nrrd nrrd = parse(text);
+// The sizes of three or four axes.
+std::vector<std::int64_t> sizesOf(const Nrrd& nrrd, const fs::path& path) {
   const auto dimension = parseNumber<int>(field(nrrd, "dimension"));
   require(dimension && *dimension >= 1 && *dimension <= 16,
           "{} does not say how many dimensions it has; get a fresh copy.", path.string());
@@ -182,6 +179,38 @@ StoredVolume readNrrdHeader(const fs::path& path) {
   for (const std::int64_t size : *sizes)
     require(size >= 1 && size <= 65535,
             "{} says that it has {} voxels along one axis; 2 to 65535 are possible.", path.string(), size);
+  return *sizes;
+}
+
+std::vector<glm::dvec3> directionsOf(const Nrrd& nrrd, std::size_t axes, const fs::path& path) {
+  const std::string_view text = field(nrrd, "space directions");
+  const std::vector<glm::dvec3> directions = vectors(text);
+  require(directions.empty() ? text.empty() : directions.size() == axes,
+          "The space directions in {} are not {} vectors of three numbers; get a fresh copy.", path.string(),
+          axes);
+  return directions;
+}
+
+// Takes the axis that is not one of space as time or components. Returns the first axis of space.
+std::size_t takeOddAxis(const Nrrd& nrrd, std::size_t odd, const std::vector<std::int64_t>& sizes,
+                        StoredVolume& stored) {
+  if (odd == 3) {
+    stored.timeSteps = int(sizes[3]);
+    return 0;
+  }
+  stored.components = int(sizes[0]);
+  const auto kinds = words(field(nrrd, "kinds"));
+  stored.timeIsFastest = !kinds.empty() && (kinds[0] == "list" || kinds[0] == "time");
+  return 1;
+}
+
+}  // namespace
+
+StoredVolume readNrrdHeader(const fs::path& path) {
+  const std::string text = readHeaderText(path);
+  const Nrrd nrrd = parse(text);
+  const std::vector<std::int64_t> sizes = sizesOf(nrrd, path);
+  const std::vector<glm::dvec3> directions = directionsOf(nrrd, sizes.size(), path);
   StoredVolume stored;
   stored.format = "NRRD";
   const auto type = typeOf(lowerCase(field(nrrd, "type")));
@@ -189,26 +218,15 @@ StoredVolume readNrrdHeader(const fs::path& path) {
           field(nrrd, "type").substr(0, 20));
   stored.type = *type;
 
-  const std::vector<glm::dvec3> directions = vectors(field(nrrd, "space directions"));
-  require(directions.empty() ? field(nrrd, "space directions").empty() : directions.size() == sizes->size(),
-          "The space directions in {} are not {} vectors of three numbers; get a fresh copy.", path.string(),
-          sizes->size());
   std::size_t firstAxis = 0;
-  if (*dimension == 4) {
-    const std::size_t odd = oddAxis(nrrd, directions, *sizes);
+  if (sizes.size() == 4) {
+    const std::size_t odd = oddAxis(nrrd, directions, sizes);
     require(odd == 0 || odd == 3,
             "{} has its time axis between the axes of space; save it with time first or last.",
             path.string());
-    firstAxis = odd == 0 ? 1 : 0;
-    if (odd == 3) {
-      stored.timeSteps = int((*sizes)[3]);
-    } else {
-      stored.components = int((*sizes)[0]);
-      const auto kinds = words(field(nrrd, "kinds"));
-      stored.timeIsFastest = !kinds.empty() && (kinds[0] == "list" || kinds[0] == "time");
-    }
+    firstAxis = takeOddAxis(nrrd, odd, sizes, stored);
   }
-  for (int a = 0; a < 3; ++a) stored.geometry.dims[a] = int((*sizes)[firstAxis + std::size_t(a)]);
+  for (int a = 0; a < 3; ++a) stored.geometry.dims[a] = int(sizes[firstAxis + std::size_t(a)]);
   placeInWorld(nrrd, directions, firstAxis, stored);
   placeData(nrrd, path, stored);
   stored.beam = beamFromKeys(nrrd.keys);
