@@ -1,0 +1,113 @@
+#include "core/rbf/centres.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/rbf/basis.h"
+#include "tests/support/synthetic_points.h"
+
+namespace sonoskin {
+namespace {
+
+// o_i of every point, by brute force.
+std::vector<double> overlaps(const SortedPoints& points, const std::vector<Centre>& centres) {
+  std::vector<double> result(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const Centre& c : centres)
+      result[i] += double(wendland(glm::distance(points.position(i), c.position) / c.support));
+  return result;
+}
+
+// The slow original: the next centre is always at the point of least overlap.
+std::size_t countGreedyCentres(const SortedPoints& points, const ReconstructionOptions& options) {
+  std::vector<float> overlap(points.size(), 0);
+  const SupportRule rule = supportRule(points, options);
+  Neighbourhood scratch;
+  for (std::size_t count = 0;; ++count) {
+    const auto least = std::min_element(overlap.begin(), overlap.end());
+    if (*least >= float(options.overlap)) return count;
+    const FittedCentre c = fitCentre(points, std::size_t(least - overlap.begin()), rule, 0, scratch);
+    const auto sigma = float(c.sigma);
+    scratch.forEachWithin(sigma, [&](std::uint32_t i, float d) { overlap[i] += wendland(d / sigma); });
+  }
+}
+
+TEST(Centres, CoverEveryPoint) {
+  const SortedPoints points = sortPoints(noisySphere(), {});
+  for (const double overlap : {0.5, 1.5, 4.0}) {
+    ReconstructionOptions options;
+    options.overlap = overlap;
+    options.smoothness = 2e-4;
+    const std::vector<Centre> centres = selectCentres(points, options);
+    double least = 1e9;
+    for (const double o : overlaps(points, centres)) least = std::min(least, o);
+    EXPECT_GE(least, overlap - 1e-4);
+  }
+}
+
+// On surfaces a point lies in 14 to 16 supports, so M is about 14 N / n.
+TEST(Centres, LieAsDenselyAsTheoryPredicts) {
+  ReconstructionOptions options;
+  options.smoothness = 2e-4;
+  const SortedPoints points = sortPoints(noisySphere(), options);
+  double incidences = 0;
+  for (const Centre& c : selectCentres(points, options))
+    for (std::size_t i = 0; i < points.size(); ++i)
+      incidences += glm::distance(points.position(i), c.position) < c.support;
+  EXPECT_GT(incidences / double(points.size()), 13);
+  EXPECT_LT(incidences / double(points.size()), 17);
+}
+
+TEST(Centres, BatchesComeCloseToTheGreedyChoice) {
+  ReconstructionOptions options;
+  options.smoothness = 1.2e-4;
+  const SortedPoints points = sortPoints(spherePoints(8000, 25, 0.2), options);
+  const double greedy = double(countGreedyCentres(points, options));
+  const double batched = double(selectCentres(points, options).size());
+  EXPECT_GT(greedy, 150);
+  EXPECT_NEAR(batched / greedy, 1, 0.06);
+}
+
+// Derived: for white noise s the smoothness has a cliff at T_crit = 1.905 s h / L².
+TEST(Centres, ANoisyPlaneShowsTheCliff) {
+  const SurfacePoints plane = planePoints(300, 0.3);
+  ReconstructionOptions options;
+  const SortedPoints points = sortPoints(plane, options);
+  const double critical = 1.905 * 0.3 / (points.diagonal * points.diagonal);
+  const double ratio[] = {0.3, 1, 1.5, 2, 4};
+  const double expected[] = {73352, 28844, 2972, 1052, 532};
+  for (int i = 0; i < 5; ++i) {
+    options.smoothness = ratio[i] * critical;
+    const double count = double(selectCentres(points, options).size());
+    EXPECT_NEAR(count / expected[i], 1, 0.25) << ratio[i] << " " << count;
+  }
+}
+
+TEST(Centres, TheThreadCountChangesNothing) {
+  const SortedPoints points = sortPoints(spherePoints(5000, 20, 0.2), {});
+  setThreadCount(1);
+  const std::vector<Centre> one = selectCentres(points, {});
+  setThreadCount(5);
+  const std::vector<Centre> five = selectCentres(points, {});
+  setThreadCount(0);
+  ASSERT_EQ(one.size(), five.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].position, five[i].position);
+    EXPECT_EQ(one[i].support, five[i].support);
+    EXPECT_EQ(one[i].quadric.f, five[i].quadric.f);
+    EXPECT_EQ(one[i].quadric.xy, five[i].quadric.xy);
+  }
+}
+
+TEST(Centres, StopWhenCancelledInTheMiddle) {
+  const SortedPoints points = sortPoints(noisySphere(), {});
+  ProgressSink sink;
+  sink.report = [&](double fraction) { sink.cancel = fraction > 0.2; };
+  EXPECT_THROW(selectCentres(points, {}, Progress(sink)), Cancelled);
+}
+
+}  // namespace
+}  // namespace sonoskin
