@@ -1,5 +1,6 @@
 #include "core/rbf/centres.h"
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 
@@ -9,7 +10,8 @@
 namespace sonoskin {
 namespace {
 
-constexpr std::size_t kBatch = 64;  // fixed, so that the result does not depend on the number of threads
+constexpr std::size_t kSmallestBatch = 64, kLargestBatch = 1024;
+constexpr std::ptrdiff_t kFitsPerTask = 4;
 constexpr int kThresholds = 10;
 
 // The same shuffle on every machine (std::shuffle leaves the order to the library).
@@ -53,7 +55,7 @@ class Cover {
     std::vector<std::uint32_t> batch;
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (overlap_[order[i]] < threshold) batch.push_back(order[i]);
-      if (batch.size() == kBatch || i + 1 == order.size()) {
+      if (batch.size() >= batchSize_ || i + 1 == order.size()) {
         fitAndAccept(batch, threshold, progress);
         batch.clear();
         progress.update(double(i + 1) / double(order.size()));
@@ -64,15 +66,25 @@ class Cover {
 
  private:
   void fitAndAccept(const std::vector<std::uint32_t>& batch, float threshold, const Progress& progress) {
+    const auto count = std::ptrdiff_t(batch.size());
     std::vector<Candidate> candidates(batch.size());
-    parallelFor(std::ptrdiff_t(batch.size()), [&](std::ptrdiff_t i) {
+    parallelFor((count + kFitsPerTask - 1) / kFitsPerTask, [&](std::ptrdiff_t task) {
       thread_local Neighbourhood scratch;
-      progress.throwIfCancelled();
-      candidates[std::size_t(i)] =
-          makeCandidate(points_, batch[std::size_t(i)], rule_, hint_[batch[std::size_t(i)]], scratch);
+      for (std::ptrdiff_t i = task * kFitsPerTask; i < std::min(count, (task + 1) * kFitsPerTask); ++i) {
+        progress.throwIfCancelled();
+        const std::uint32_t point = batch[std::size_t(i)];
+        candidates[std::size_t(i)] = makeCandidate(points_, point, rule_, hint_[point], scratch);
+      }
     });
-    for (const Candidate& c : candidates)
+    std::size_t covered = 0;
+    for (const Candidate& c : candidates) {
+      covered += c.covered.size();
       if (overlap_[c.centre.point] < threshold) accept(c);
+    }
+    // Small supports rarely overlap, so many can be fitted at once without waste. The size of a batch depends on
+    // results only, never on the number of threads, and so does the outcome.
+    if (covered > 0)
+      batchSize_ = std::clamp(points_.size() * batch.size() / (4 * covered), kSmallestBatch, kLargestBatch);
   }
 
   void accept(const Candidate& c) {
@@ -89,6 +101,7 @@ class Cover {
   std::vector<float> overlap_;  // o_i
   std::vector<float> hint_;     // support of the centre that last covered the point
   std::vector<Centre> centres_;
+  std::size_t batchSize_ = kSmallestBatch;
 };
 
 }  // namespace

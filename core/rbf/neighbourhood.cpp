@@ -8,10 +8,10 @@ namespace sonoskin {
 namespace {
 
 // k with 2^(k-1) <= ratio < 2^k for ratio >= 1, else 0: read from the exponent of the float.
-std::uint8_t levelOf(float ratio) {
+std::uint32_t levelOf(float ratio) {
   constexpr int kBias = 126, kMantissaBits = 23;
   const int k = int(std::bit_cast<std::uint32_t>(ratio) >> kMantissaBits) - kBias;
-  return std::uint8_t(k < 0 ? 0 : k);
+  return std::uint32_t(k < 0 ? 0 : k);
 }
 
 }  // namespace
@@ -28,27 +28,40 @@ void Neighbourhood::reserve(std::size_t count) {
 void Neighbourhood::gather(const SortedPoints& points, std::size_t centre, float radius) {
   const glm::vec3 c = points.position(centre);
   ownNormal_ = {points.nx[centre], points.ny[centre], points.nz[centre]};
+  const float limit = radius * radius;
+  const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
   std::size_t n = 0;
   points.grid.forEachRun(c, radius, [&](std::size_t first, std::size_t last) {
     reserve(n + last - first);
+    std::uint32_t* index = index_.data();
+    float* squared = squared_.data();
     for (std::size_t i = first; i < last;
          ++i) {  // every point is written, only near ones are kept: no branch
-      const float dx = points.x[i] - c.x, dy = points.y[i] - c.y, dz = points.z[i] - c.z;
-      const float squared = dx * dx + dy * dy + dz * dz;
-      index_[n] = std::uint32_t(i);
-      dx_[n] = dx, dy_[n] = dy, dz_[n] = dz, squared_[n] = squared;
-      n += squared < radius * radius;
+      const float dx = x[i] - c.x, dy = y[i] - c.y, dz = z[i] - c.z;
+      squared[n] = dx * dx + dy * dy + dz * dz;
+      index[n] = std::uint32_t(i);
+      n += squared[n] < limit;
     }
   });
   count_ = n;
-  copyAttributes(points);
+  copyAttributes(points, c);
 }
 
-void Neighbourhood::copyAttributes(const SortedPoints& points) {
-  for (std::size_t j = 0; j < count_; ++j) {
-    const std::uint32_t i = index_[j];
-    nx_[j] = points.nx[i], ny_[j] = points.ny[i], nz_[j] = points.nz[i], d_[j] = points.influence[i];
-  }
+void Neighbourhood::copyAttributes(const SortedPoints& points, const glm::vec3& centre) {
+  const std::uint32_t* index = index_.data();
+  const auto copy = [&](const std::vector<float>& from, float subtract, std::vector<float>& to) {
+    const float* in = from.data();
+    float* out = to.data();
+#pragma omp simd
+    for (std::size_t j = 0; j < count_; ++j) out[j] = in[index[j]] - subtract;
+  };
+  copy(points.x, centre.x, dx_);
+  copy(points.y, centre.y, dy_);
+  copy(points.z, centre.z, dz_);
+  copy(points.nx, 0, nx_);
+  copy(points.ny, 0, ny_);
+  copy(points.nz, 0, nz_);
+  copy(points.influence, 0, d_);
 }
 
 glm::vec3 Neighbourhood::meanNormal(float sigma) const {
@@ -71,22 +84,25 @@ glm::vec3 Neighbourhood::meanNormal(float sigma) const {
 void Neighbourhood::project(const Frame& frame, float smallest) {
   smallest_ = smallest;
   const float scale = 1 / (smallest * smallest);
+  const float *dx = dx_.data(), *dy = dy_.data(), *dz = dz_.data(), *squared = squared_.data(),
+              *d = d_.data();
+  std::uint32_t* level = level_.data();
   levelEnd_.fill(0);
   for (std::size_t j = 0; j < count_; ++j) {
-    level_[j] = std::min(levelOf(squared_[j] * scale), std::uint8_t(kLevels - 1));
-    ++levelEnd_[level_[j] + 1u];
+    level[j] = std::min(levelOf(squared[j] * scale), std::uint32_t(kLevels - 1));
+    ++levelEnd_[level[j] + 1];
   }
   for (std::size_t k = 0; k < kLevels; ++k) levelEnd_[k + 1] += levelEnd_[k];
   std::array<std::size_t, kLevels + 1> next = levelEnd_;
-  const glm::vec3 u = frame.u, v = frame.v, n = frame.normal;
+  const glm::vec3 eu = frame.u, ev = frame.v, en = frame.normal;
+  float *u = u_.data(), *v = v_.data(), *w = w_.data(), *r = r_.data(), *levelD = levelD_.data();
   for (std::size_t j = 0; j < count_; ++j) {
-    const std::size_t to = next[level_[j]]++;
-    const float dx = dx_[j], dy = dy_[j], dz = dz_[j];
-    u_[to] = dx * u.x + dy * u.y + dz * u.z;
-    v_[to] = dx * v.x + dy * v.y + dz * v.z;
-    w_[to] = dx * n.x + dy * n.y + dz * n.z;
-    r_[to] = std::sqrt(squared_[j]);
-    levelD_[to] = d_[j];
+    const std::size_t to = next[level[j]]++;
+    u[to] = dx[j] * eu.x + dy[j] * eu.y + dz[j] * eu.z;
+    v[to] = dx[j] * ev.x + dy[j] * ev.y + dz[j] * ev.z;
+    w[to] = dx[j] * en.x + dy[j] * en.y + dz[j] * en.z;
+    r[to] = std::sqrt(squared[j]);
+    levelD[to] = d[j];
   }
 }
 

@@ -41,7 +41,7 @@ class Neighbourhood {
   static constexpr std::size_t kLevels = 48;
 
   void reserve(std::size_t count);
-  void copyAttributes(const SortedPoints& points);
+  void copyAttributes(const SortedPoints& points, const glm::vec3& centre);
 
   std::size_t count_ = 0;
   glm::vec3 ownNormal_{0, 0, 1};
@@ -49,7 +49,7 @@ class Neighbourhood {
   std::vector<float> dx_, dy_, dz_, squared_;        // relative to the centre, and squared distance
   std::vector<float> nx_, ny_, nz_, d_;              // normal and influence
   std::vector<float> u_, v_, w_, r_, levelD_;        // in the frame, by level
-  std::vector<std::uint8_t> level_;                  // k: smallest 2^((k-1)/2) <= r < smallest 2^(k/2)
+  std::vector<std::uint32_t> level_;                 // k: smallest 2^((k-1)/2) <= r < smallest 2^(k/2)
   std::array<std::size_t, kLevels + 1> levelEnd_{};  // points of levels up to k
   float smallest_ = 1;
 };
