@@ -65,8 +65,10 @@ class Tissue {
 
  private:
   Echo inFluid(float clearance, std::uint32_t index) const {
-    const bool vernix = clearance > 1.5f && uniformAt(index, dustKey_) < 1.5e-4f;
-    return {amplitude(vernix ? -12 : kOutside), 0, 0};
+    constexpr float kParticles = 7e-5f;  // share of the samples that hold a flake of vernix
+    const float chance = uniformAt(index, dustKey_);
+    const bool vernix = clearance > 1.5f && chance < kParticles;
+    return {amplitude(vernix ? -10 - 14 * chance / kParticles : kOutside), 0, 0};
   }
 
   Echo inBaby(const vec3& p, const vec3& beam, const DistanceSample& skin) const {

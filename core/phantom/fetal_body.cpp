@@ -9,56 +9,56 @@ namespace {
 
 using namespace sdf;
 
-constexpr vec3 kWrist{30, -53, 36}, kElbow{46, -86, 16}, kShoulder{35, -66, -6};
+constexpr vec3 kWrist{30, -52, 36}, kElbow{45, -82, 20}, kShoulder{34, -57, -4};
 
 // A finger: knuckle, two joints, tip.
 using Finger = std::array<Joint, 4>;
 constexpr std::array<Finger, 4> kFingers{{
-    {{{{13.5f, -41, 40.5f}, 2.9f},
-      {{10.5f, -34.5f, 45.5f}, 2.7f},
-      {{12, -27, 43.5f}, 2.5f},
-      {{13.5f, -22.5f, 40.5f}, 2.2f}}},
-    {{{{19, -39, 40.5f}, 3},
-      {{16.5f, -31.5f, 45}, 2.8f},
-      {{17.5f, -23, 42}, 2.6f},
-      {{18.5f, -18.5f, 38.5f}, 2.3f}}},
-    {{{{24.3f, -39.5f, 39}, 2.9f},
-      {{23, -32, 43}, 2.7f},
-      {{23.5f, -24, 39.5f}, 2.5f},
-      {{24, -19.8f, 36}, 2.2f}}},
-    {{{{29, -41.5f, 36.5f}, 2.6f},
-      {{29, -35.5f, 39.5f}, 2.4f},
-      {{29, -29, 36}, 2.2f},
-      {{29, -25.5f, 33}, 1.9f}}},
+    {{{{14, -39.5f, 40}, 3.4f},
+      {{11.8f, -34, 43.5f}, 3.2f},
+      {{12.5f, -27.8f, 42.5f}, 2.9f},
+      {{13.7f, -24, 39.5f}, 2.5f}}},
+    {{{{20, -38, 40}, 3.5f},
+      {{18.2f, -31.5f, 43}, 3.3f},
+      {{18.8f, -24.8f, 41}, 3},
+      {{19.5f, -20.8f, 37.5f}, 2.6f}}},
+    {{{{26, -38.5f, 38}, 3.4f},
+      {{25, -32.3f, 40.8f}, 3.2f},
+      {{25.2f, -25.8f, 38.5f}, 2.9f},
+      {{25.3f, -22, 35.2f}, 2.5f}}},
+    {{{{31.5f, -41, 35}, 3},
+      {{31.5f, -35.5f, 37}, 2.8f},
+      {{31.2f, -30.3f, 34.8f}, 2.5f},
+      {{30.8f, -27.5f, 32}, 2.2f}}},
 }};
 constexpr std::array<Joint, 4> kThumb{
-    {{{22, -50, 38}, 3.4f}, {{13, -46.5f, 39.5f}, 3.2f}, {{6, -41, 39.5f}, 2.8f}, {{2, -37, 40}, 2.4f}}};
+    {{{24, -48, 37}, 4.2f}, {{15, -45, 39}, 3.7f}, {{9, -40, 40.5f}, 3.2f}, {{6.5f, -36, 40.5f}, 2.7f}}};
 
 }  // namespace
 
 float bodySkin(const glm::vec3& p) {
   const vec3 q{std::abs(p.x), p.y, p.z};
-  float d = ellipsoid(p, {0, -96, -12}, {37, 42, 29});                                    // chest
-  d = smoothMin(d, capsule(q, {{4, -62, -14}, 14}, {kShoulder - vec3(3, 0, 0), 13}), 8);  // shoulders
-  return smoothMin(d, capsule(p, {{-36, -68, -8}, 11}, {{-50, -108, -4}, 9}), 4);         // right arm
+  float d = ellipsoid(p, {0, -88, -10}, {37, 40, 29});                                    // chest
+  d = smoothMin(d, capsule(q, {{4, -53, -14}, 15}, {kShoulder - vec3(4, 1, 2), 13}), 9);  // shoulders
+  return smoothMin(d, capsule(p, {{-37, -60, -5}, 11.5f}, {{-50, -102, 0}, 9}), 4);       // right arm
 }
 
 float armSkin(const glm::vec3& p) {
-  float d = capsule(p, {kShoulder, 11.5f}, {kElbow, 9});
-  d = smoothMin(d, capsule(p, {kElbow, 8.5f}, {kWrist, 6}), 3);
+  float d = capsule(p, {kShoulder, 12}, {kElbow, 9.5f});
+  d = smoothMin(d, capsule(p, {kElbow, 9.2f}, {kWrist, 6.6f}), 3);
   if (!Reach{{20, -37, 38}, 26}.joins(p, d, 4)) return d;
-  constexpr std::array<Joint, 2> ball{{{{15, -43.5f, 38}, 4}, {{27, -44, 36}, 3.8f}}};
-  float hand = smoothMin(capsule(p, {kWrist, 5.2f}, {{21, -45, 38}, 5}), chain(p, ball, 1), 4);  // palm
-  for (const Finger& finger : kFingers) hand = smoothMin(hand, chain(p, finger, 1), 0.8f);
-  hand = smoothMin(hand, chain(p, kThumb, 1), 1);
-  return smoothMin(d, hand, 3);
+  constexpr std::array<Joint, 2> ball{{{{17, -43, 37}, 5}, {{28, -43.5f, 34.5f}, 4.8f}}};
+  float hand = smoothMin(capsule(p, {kWrist, 6}, {{22, -44, 37}, 5.6f}), chain(p, ball, 1), 4);  // palm
+  for (const Finger& finger : kFingers) hand = smoothMin(hand, chain(p, finger, 0.8f), 1);
+  hand = smoothMin(hand, chain(p, kThumb, 0.8f), 1.2f);
+  return smoothMin(d, hand, 2.5f);
 }
 
 float bodyBone(const glm::vec3& p) {
-  const float chest = ellipsoid(p, {0, -96, -12}, {31, 37, 24});
+  const float chest = ellipsoid(p, {0, -88, -10}, {31, 35, 24});
   const float rib = std::cos(0.75f * (p.y + 0.25f * p.z)) * 1.4f - 0.2f;
   const float ribs = std::max({chest, -(chest + 1.8f), rib});
-  return std::min(ribs, capsule({std::abs(p.x), p.y, p.z}, {{3, -63, 6}, 1.4f}, {kShoulder, 1.6f}));
+  return std::min(ribs, capsule({std::abs(p.x), p.y, p.z}, {{3, -58, 8}, 1.4f}, {kShoulder, 1.6f}));
 }
 
 float armBone(const glm::vec3& p) {

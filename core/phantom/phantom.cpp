@@ -13,8 +13,8 @@
 namespace sonoskin {
 namespace {
 
-constexpr float kWhite = -6;         // dB; the echo that is shown white
-constexpr float kDynamicRange = 52;  // dB from white to black
+constexpr float kWhite = -4;         // dB; the echo that is shown white
+constexpr float kDynamicRange = 50;  // dB from white to black
 constexpr float kSoftTissue = -31;   // dB; the mean echo that `snr` refers to
 
 NoiseLevels noiseLevels(double snr) { return {kSoftTissue - float(snr), kSoftTissue + 20 - float(snr)}; }
