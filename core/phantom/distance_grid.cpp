@@ -9,7 +9,7 @@ namespace sonoskin {
 namespace {
 
 constexpr int kBlock = 8;
-constexpr double kLipschitz = 1.2;
+constexpr double kLipschitz = 1.25;
 
 struct Block {
   glm::ivec3 begin, end;

@@ -44,23 +44,18 @@ void addCheeksAndBrow(Half& h) {
   });
 }
 
-// lashLine: height of the line where the closed lids meet, above the eye's centre, for |x| within the eye.
-float lashLine(float x) { return -3.1f + 0.03f * x * x; }
-
+// addEye: the socket, and in it the closed lids, two bodies that meet in the line of the lashes.
 void addEye(Half& h) {
-  const vec3 eye{14.5f, -1, 26.5f};
-  h.carve({{14.5f, -0.5f, 43.5f}, 9}, 5, [&] {
-    return ellipsoid(h.p, {14.5f, -0.5f, 43.5f}, {9.5f, 7, 8.5f});
+  const Reach socket{{14.5f, -0.5f, 43.5f}, 10};
+  h.carve(socket, 5, [&] { return ellipsoid(h.p, socket.centre, {9.8f, 7.2f, 8.5f}); });
+  h.join({{14.5f, -2, 26.5f}, 12}, 2.2f, [&] {
+    const float upper = ellipsoid(h.p, {14.5f, 1.2f, 26.4f}, {9.8f, 6.2f, 10});
+    const float lower = ellipsoid(h.p, {14.3f, -4.6f, 26.4f}, {8.8f, 3.9f, 8.2f});
+    return smoothMin(upper, lower, 0.5f);
   });
-  h.join({eye, 11}, 2.5f, [&] { return ellipsoid(h.p, eye, {9.8f, 7.4f, 9.4f}); });
-  const vec3 q = h.p - eye;
-  const float along = bump(q.x / 9.5f);
-  if (along <= 0 || std::abs(q.y) > 10 || q.z < 0) return;
-  const float above = q.y - lashLine(q.x);
-  const float upperLid = 0.3f * bump((above - 2.4f) / 2.4f);  // the upper lid lies on the lower one
-  const float lashes = -0.65f * bump(above / 2);
-  const float fold = -0.3f * bump((q.y - 4.4f + 0.03f * q.x * q.x) / 1.8f);
-  h.d -= along * bump((q.z - 9) / 9) * (upperLid + lashes + fold);
+  const vec3 q = h.p - vec3(14.5f, 0.7f, 26.3f);
+  const float fold = -0.35f * bump((q.y - 3.6f + 0.03f * q.x * q.x) / 1.8f);  // where the open lid would fold
+  h.d -= bump(q.x / 9.5f) * bump((q.z - 8) / 8) * fold;
 }
 
 void addNose(Half& h) {
@@ -94,7 +89,7 @@ void addMouth(Half& h) {
                                         {{6.2f, -27.4f, 36.8f}, 2},
                                         {{9, -26.8f, 34.9f}, 1.4f},
                                         {{11, -26.5f, 33.4f}, 1}}};
-  const float both = smoothMin(chain(h.p, upper, 0.4f), chain(h.p, lower, 0.4f), 0.8f);
+  const float both = smoothMin(chain(h.p, upper, 0.4f), chain(h.p, lower, 0.4f), 0.4f);
   h.d = smoothMin(h.d, both, 1.6f);
 }
 
@@ -104,7 +99,7 @@ void pressRelief(Half& h) {
   const float front = std::min((h.p.z - 25) / 5, 1.f);
   const float philtrum = -0.7f * bump(h.p.x / 2.1f) * bump((h.p.y + 19.8f) / 3);
   const float ridge = 0.25f * bump((h.p.x - 2.6f) / 1.7f) * bump((h.p.y + 19.8f) / 3);
-  const float mouth = -0.3f * bump((h.p.y + 25.9f + 0.006f * h.p.x * h.p.x) / 1.6f) * bump(h.p.x / 12);
+  const float mouth = -0.6f * bump((h.p.y + 25.9f + 0.006f * h.p.x * h.p.x) / 2) * bump(h.p.x / 12);
   const float corner = -0.5f * bump((h.p.y + 25.6f) / 3) * bump((h.p.x - 11.3f) / 3);
   h.d -= front * front * (philtrum + ridge + mouth + corner);
 }

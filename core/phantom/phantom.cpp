@@ -13,11 +13,16 @@
 namespace sonoskin {
 namespace {
 
-constexpr float kWhite = -4;         // dB; the echo that is shown white
-constexpr float kDynamicRange = 50;  // dB from white to black
-constexpr float kSoftTissue = -31;   // dB; the mean echo that `snr` refers to
+constexpr float kWhite = -4;             // dB; the echo that is shown white
+constexpr float kDynamicRange = 50;      // dB from white to black
+constexpr float kSoftTissue = -30;       // dB; the mean echo of the baby's soft tissue, to which `snr` refers
+constexpr float kClutterOverNoise = 22;  // dB; relative to the echoes around, as side lobes are
 
-NoiseLevels noiseLevels(double snr) { return {kSoftTissue - float(snr), kSoftTissue + 20 - float(snr)}; }
+// noiseLevels: a poor signal comes with poor contrast (thick belly, little fluid), so both follow `snr`.
+NoiseLevels noiseLevels(double snr) {
+  const float receiver = kSoftTissue - float(snr);
+  return {receiver, receiver + kClutterOverNoise};
+}
 
 // compressLog: envelope to grey in [0, 1].
 void compressLog(const SectorGrid& sector, std::vector<float>& envelope, const Progress& progress) {

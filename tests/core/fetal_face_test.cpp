@@ -1,0 +1,132 @@
+#include "core/phantom/fetal_face.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace sonoskin {
+namespace {
+
+using glm::dvec3;
+using Distance = double (*)(const dvec3&);
+
+dvec3 gradientOf(Distance f, const dvec3& p) {
+  dvec3 g;
+  for (int axis = 0; axis < 3; ++axis) {
+    dvec3 h(0);
+    h[axis] = 0.02;
+    g[axis] = (f(p + h) - f(p - h)) / 0.04;
+  }
+  return g;
+}
+
+class Places {
+ public:
+  dvec3 next() { return dvec3(uniform_(engine_), uniform_(engine_), uniform_(engine_)) * kFieldOfView; }
+
+ private:
+  std::mt19937 engine_{7};
+  std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+// firstHit: depth y at which a line from the probe's side meets the skin.
+double firstHit(double x, double z) {
+  double y = 12;
+  while (y < 75 && skinDistance({x, y, z}) > 0.005) y += std::max(0.004, 0.7 * skinDistance({x, y, z}));
+  return y;
+}
+
+TEST(FetalFace, IsADistanceNearTheSkin) {
+  Places places;
+  std::vector<double> atSkin;
+  int steep = 0, near = 0;
+  for (int n = 0; n < 400000; ++n) {
+    const dvec3 p = places.next();
+    const double d = skinDistance(p);
+    if (std::abs(d) > 3) continue;
+    const double slope = glm::length(gradientOf(skinDistance, p));
+    ++near;
+    steep += slope > 1.25;
+    if (std::abs(d) < 0.3) atSkin.push_back(slope);
+  }
+  ASSERT_GT(near, 20000);
+  EXPECT_LT(steep, near / 1000);
+  std::sort(atSkin.begin(), atSkin.end());
+  EXPECT_NEAR(atSkin[atSkin.size() / 2], 1, 0.02);
+  EXPECT_GT(atSkin[atSkin.size() / 20], 0.8);  // creases are the rest
+  EXPECT_LT(atSkin[atSkin.size() - 1 - atSkin.size() / 200], 1.2);
+}
+
+TEST(FetalFace, HasNoJumps) {
+  Places places;
+  for (int n = 0; n < 200000; ++n) {
+    const dvec3 p = places.next(), q = p + 0.002 * (places.next() / kFieldOfView - 0.5);
+    const double d = skinDistance(p);
+    if (d > -4 && d < 8) {
+      ASSERT_LT(std::abs(skinDistance(q) - d), 0.006) << p.x << ' ' << p.y << ' ' << p.z;
+    }
+  }
+}
+
+TEST(FetalFace, HeadIsAbout75MillimetresAcross) {
+  double width = 0;
+  for (double x = 35; x < 50; x += 1) {
+    double low = 56, high = 56;
+    while (skinDistance({x, 73, low}) < 0) low -= 0.1;
+    while (skinDistance({x, 73, high}) < 0) high += 0.1;
+    width = std::max(width, high - low);
+  }
+  EXPECT_NEAR(width, 75, 3);
+}
+
+TEST(FetalFace, ProfileRunsFromForeheadOverNoseAndLipsToChin) {
+  const auto profile = [](double x) {  // the most forward skin near the middle of the face
+    double least = 1e9;
+    for (double z = 58; z < 68; z += 0.5) least = std::min(least, firstHit(x, z));
+    return least;
+  };
+  const double forehead = profile(38), root = profile(54), tip = profile(69), lips = profile(81);
+  EXPECT_GT(root - forehead, 1);
+  EXPECT_GT(root - tip, 5);
+  EXPECT_GT(lips - tip, 2);
+  EXPECT_LT(tip, 30);
+}
+
+TEST(FetalFace, FourFingersAreSeenApart) {
+  std::vector<double> depth;
+  for (double z = 66; z < 96; z += 0.25) depth.push_back(firstHit(90, z));
+  int ridges = 0;
+  for (std::size_t i = 6; i + 6 < depth.size(); ++i)
+    ridges += depth[i] < depth[i - 1] && depth[i] <= depth[i + 1] && depth[i] < depth[i - 6] - 0.4 &&
+              depth[i] < depth[i + 6] - 0.4;
+  EXPECT_EQ(ridges, 4);
+}
+
+TEST(FetalFace, BonesLieUnderTheSkin) {
+  Places places;
+  int inBone = 0;
+  for (int n = 0; n < 200000; ++n) {
+    const dvec3 p = places.next();
+    if (boneDistance(p) > 0) continue;
+    ++inBone;
+    ASSERT_LT(skinDistance(p), -0.8) << p.x << ' ' << p.y << ' ' << p.z;
+  }
+  EXPECT_GT(inBone, 1000);
+}
+
+TEST(FetalFace, FluidSeparatesTheFaceFromTheWall) {
+  for (double x = 30; x < 100; x += 2)
+    for (double z = 35; z < 90; z += 2) {
+      const double y = firstHit(x, z);
+      if (y < 45) {
+        EXPECT_GT(wallDistance({x, y, z}), 4) << x << ' ' << z;
+      }
+    }
+  EXPECT_LT(wallDistance({70, 3, 56}), 0);
+}
+
+}  // namespace
+}  // namespace sonoskin
