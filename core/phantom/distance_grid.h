@@ -12,8 +12,7 @@ using DistanceFunction = double (*)(const glm::dvec3& world);
 
 // sampleDistance: a signed distance on a grid, exact to rounding near its zero set.
 //   band     mm; nodes nearer than this to the surface hold the distance, those farther off only its sign and
-//   a
-//            value beyond the band: the value at the middle of their block of 8^3 nodes
+//            a value beyond the band: the value at the middle of their block of 8^3 nodes
 //   distance Lipschitz constant at most 1.25 around its zero set
 //   cost     one evaluation per block and one per node of the blocks that the band touches
 //   errors   Cancelled

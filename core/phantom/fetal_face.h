@@ -10,8 +10,9 @@ inline constexpr glm::dvec3 kFieldOfView{140.1, 76.5, 111.6};
 
 // skinDistance: signed distance to the baby's skin; negative inside.
 //   world    mm
-//   output   mm; a lower bound far from the skin, |gradient| within 0.2 of 1 at the skin, Lipschitz constant
-//   < 1.2 cost     0.5 us
+//   output   mm; |gradient| is 1 at the skin but for creases, where it is shorter; Lipschitz constant below
+//            1.25 but for the depths of the face, more than 4 mm below the skin
+//   cost     0.5 us
 double skinDistance(const glm::dvec3& world);
 
 // boneDistance: signed distance to the baby's bones; negative inside.

@@ -9,8 +9,8 @@ namespace {
 
 using namespace sdf;
 
-// The face is made for one half, x >= 0, and mirrored. Details that touch the middle plane cross it at right
-// angles.
+// The face is made for one half, x >= 0, and mirrored. Details that touch the middle plane do so at a
+// right angle.
 struct Half {
   vec3 p;
   float d;  // the distance so far
@@ -149,13 +149,13 @@ float headSkin(const glm::vec3& p) {
 
 float headBone(const glm::vec3& p) {
   const vec3 q{std::abs(p.x), p.y, p.z};
-  float outer = ellipsoid(p, {0, 15, -3}, {33.5f, 34, 41});
-  outer = smoothMin(outer, ellipsoid(p, {0, 22, 13}, {23, 21, 27}), 10);
+  float outer = ellipsoid(p, {0, 13, -3}, {33.5f, 32, 41});
+  outer = smoothMin(outer, ellipsoid(p, {0, 20, 13}, {23, 18.5f, 26.5f}), 10);
   outer = smoothMin(outer, ellipsoid(p, {0, -13, 7}, {20, 21, 23}), 10);
   float bone = std::max(outer, -(outer + 1.6f));
   bone = std::max(bone, -sphere(q, {14.5f, -1, 27}, 8.5f));        // orbits
   bone = std::max(bone, -ellipsoid(p, {0, -12, 31}, {5, 8, 9}));   // nasal aperture
-  bone = std::max(bone, -ellipsoid(p, {0, 43, 16}, {9, 16, 12}));  // the fontanelle
+  bone = std::max(bone, -ellipsoid(p, {0, 42, 16}, {9, 16, 12}));  // the fontanelle
   bone = std::max(bone, std::min(p.y - 12, 1.1f - q.x));           // the seam of the two frontal bones
   bone = std::min(bone, capsule(p, {{0, 1, 34.5f}, 1.2f}, {{0, -5, 36}, 1}));  // nasal bones
   bone = std::min(bone, capsule(p, {{0, -20, -10}, 6}, {{0, -64, -16}, 6}));   // spine

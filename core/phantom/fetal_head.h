@@ -9,13 +9,11 @@ namespace sonoskin {
 
 // headSkin: signed distance to the skin of head and neck; negative inside.
 //   output   gradient of unit length at the surface but for creases, where it is shorter; Lipschitz constant
-//   below
-//            1.25 but for the depths of the face, more than 4 mm below the skin
+//            below 1.25 but for the depths of the face, more than 4 mm below the skin
 //   cost     0.3 us near the face
 float headSkin(const glm::vec3& p);
 
-// headBone: signed distance to the skull, a shell with orbits, nasal aperture and sutures, and the neck's
-// spine.
+// headBone: signed distance to the skull, a shell with orbits, nasal aperture and fontanelle, and the spine.
 float headBone(const glm::vec3& p);
 
 }  // namespace sonoskin

@@ -8,15 +8,24 @@
 namespace sonoskin {
 
 // makePhantomScan: a simulated 3D ultrasound scan of a sleeping newborn with one hand near the mouth.
-//   output   8-bit grey (stored as multiples of 1/255), the beam's geometry included; probe at j = 0, head
-//   toward -i errors   Error: an option is out of range; Cancelled threads  the result does not depend on
-//   their number
+//   output   8-bit grey (stored as multiples of 1/255), 0 outside the sector, with the beam's geometry; probe
+//            at j = 0, head toward -i
+//   contrast CNR = (mean grey of skin - of fluid) / sqrt(mean of their variances) at the default size; skin:
+//            the 0.9 mm below the surface where it faces the beam (cosine > 0.7); fluid: 3 mm clear of
+//            everything, less than 35 mm deep.   snr  0: 2.4   10: 4.2   20: 6.1   30: 7.7   40: 7.7
+//   errors   Error: an option is out of range; Cancelled
+//   threads  the result does not depend on their number
+//   cost     3 s of one core and 180 MB at the default size
 Scan makePhantomScan(const PhantomOptions& options, const Progress& progress = {});
 
 // makePhantomTruth: the skin that the scan shows, in the scan's frame.
-//   output   closed mesh with normals; visibility 1 where the simulated probe sees the skin (inside the field
-//   of
-//            view, facing the beam, not in a shadow), 0 where not
+//   output   closed mesh (flat where the baby leaves the field of view) with exact normals, vertices within
+//            0.02 mm of the true skin; visibility 1 where the simulated probe sees the skin: at least 1 mm
+//            inside the sector and the field of view, the cosine between normal and way back to the probe
+//            above 0.25, none of the baby in between, and less than 8 dB lost (there and back) in the mother's
+//            tissue and at grazed edges; 0 elsewhere
+//   errors   Error: an option is out of range; Cancelled
+//   cost     1.4 s of one core
 Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress = {});
 
 }  // namespace sonoskin

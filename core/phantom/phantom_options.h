@@ -8,8 +8,7 @@ namespace sonoskin {
 
 // PhantomOptions: the simulated scan of a sleeping newborn.
 struct PhantomOptions {
-  std::array<int, 3> dims{467, 255,
-                          124};  // the field of view keeps its size in mm: fewer voxels are larger ones
+  std::array<int, 3> dims{467, 255, 124};  // fewer voxels are larger ones: the field of view keeps its size
   double snr = 20;
   int seed = 1;
 };

@@ -8,8 +8,7 @@
 // same whichever thread asks, in whatever order.
 namespace sonoskin {
 
-// scramble: a bijection of 32-bit numbers without visible pattern.  [Wellons 2018, "hash prospector",
-// lowbias32]
+// scramble: a bijection of 32-bit numbers without visible pattern.  [Wellons 2018, lowbias32]
 inline std::uint32_t scramble(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x7feb352du;

@@ -5,14 +5,13 @@
 #include <glm/glm.hpp>
 #include <span>
 
-// Signed distances: negative inside, mm. Smooth unions keep the Lipschitz constant 1.  [Quilez, "distance
-// functions"]
+// Signed distances: negative inside, mm. Smooth unions keep the Lipschitz constant 1.
+// [Quilez, "distance functions"]
 namespace sonoskin::sdf {
 
 using glm::vec3;
 
-// smoothMin: min(a, b), rounded where the two differ by less than k; C2, never above min, at most k/6 below
-// it.
+// smoothMin: min(a, b), rounded where the two differ by less than k; never above min, at most k/6 below it.
 inline float smoothMin(float a, float b, float k) {
   const float h = std::max(k - std::abs(a - b), 0.f) / k;
   return std::min(a, b) - h * h * h * k * (1.f / 6);

@@ -30,8 +30,7 @@ struct SectorGrid {
 
   // beam: unit direction of beam (j, k): lateral angle toward x, elevation angle toward z.
   glm::vec3 beam(int j, int k) const;
-  // contains: whether a world position lies within the sector, at least `margin` mm (and rad * mm) from its
-  // border.
+  // contains: whether a world position lies within the sector, at least `margin` mm from its border.
   bool contains(const glm::vec3& world, float margin = 0) const;
 };
 

@@ -5,8 +5,7 @@
 
 namespace sonoskin {
 
-// gaussTaps: an odd number of weights of a Gaussian with standard deviation sigma (samples); {1} if sigma <
-// 0.2.
+// gaussTaps: an odd number of weights of a Gaussian; {1} if sigma (standard deviation, samples) is below 0.2.
 enum class Keep { mean, power };  // weights sum to 1, or their squares do (white noise keeps its variance)
 std::vector<float> gaussTaps(float sigma, Keep keep);
 

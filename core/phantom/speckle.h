@@ -14,8 +14,9 @@ struct PointSpread {
 };
 
 // NoiseLevels: of the receiver, dB relative to an echo of amplitude 1.
-//   receiver   noise of the amplifier at the probe; it rises with depth by the gain that makes up for the
-//   attenuation clutter    side lobes and reverberation: part of the echoes within some millimetres, smeared
+//   receiver   noise of the amplifier at the probe; it rises with depth, by 8 dB over the whole range: the
+//              gain that makes up for the attenuation
+//   clutter    side lobes and reverberation: part of the echoes within some millimetres, smeared
 struct NoiseLevels {
   float receiver, clutter;
 };
@@ -24,16 +25,15 @@ struct NoiseLevels {
 // weighted by their amplitude, seen through the point spread function; plus clutter and noise.
 //   input    amplitude: sector.samples() root mean square echoes; consumed
 //   output   sector.samples(), >= 0; where the amplitude is uniform it is Rayleigh distributed (fully
-//   developed
-//            speckle), with mean square amplitude^2
+//            developed speckle), with mean square amplitude^2  [Burckhardt 1978]
 //   threads  the result does not depend on their number
 //   errors   Cancelled
 std::vector<float> speckleEnvelope(const SectorGrid& sector, std::vector<float> amplitude,
                                    const PointSpread& spread, const NoiseLevels& noise, int seed,
                                    const Progress& progress = {});
 
-// addClutter: raises each amplitude^2 by clutter times the mean of its neighbourhood's (1.2 mm by 3 by 3
-// degrees).
+// addClutter: raises each amplitude^2 by clutter times the mean of its neighbourhood's (Gaussian,
+// 1.2 mm by 3 by 3 degrees).
 void addClutter(const SectorGrid& sector, std::vector<float>& amplitude, float clutterDecibel,
                 const Progress& progress = {});
 

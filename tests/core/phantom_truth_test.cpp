@@ -66,8 +66,8 @@ TEST(PhantomTruth, TheProbeSeesTheFaceAndNotTheBackOfTheHead) {
     ++seen;
     ASSERT_FALSE(onCap(p));
     ASSERT_GT(glm::dot(mesh.normals[v], glm::normalize(apex - p)), 0.249f);
-    nose += std::abs(p.x - 69) < 3 && std::abs(p.z - 63) < 3;
-    mouth += std::abs(p.x - 82) < 3 && std::abs(p.z - 61) < 6;
+    nose += std::abs(p.x - 68) < 3 && std::abs(p.z - 50) < 3;
+    mouth += std::abs(p.x - 81) < 4 && std::abs(p.z - 51) < 6;
   }
   EXPECT_GT(seen, mesh.positions.size() / 6);
   EXPECT_LT(seen, mesh.positions.size() / 2);
