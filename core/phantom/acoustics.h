@@ -22,8 +22,8 @@ Anatomy sampleAnatomy(double spacing, const Progress& progress = {});
 // echoAmplitude: the root mean square echo of the scatterers at each sample of the sector.
 //   model    scattering of each tissue with its texture + a thin reflecting layer at each interface, whose
 //            echo falls with the angle between beam and surface as 0.05 + 0.95 cos^3; times what is left of
-//            the sound after the way there and back: soft tissue 0.06 to 0.1 dB/mm, bone 9 dB/mm (so it casts a
-//            shadow), and skin that the beam grazes 2 dB/mm (the shadow at edges)
+//            the sound after the way there and back: soft tissue 0.06 to 0.1 dB/mm, bone 9 dB/mm (so it casts
+//            a shadow), and skin that the beam grazes 2 dB/mm (the shadow at edges)
 //   input    seed: of the particles in the fluid and the patchiness of the skin
 //   output   sector.samples(), amplitude; 0.7 is a smooth skin that faces the beam
 //   errors   Cancelled

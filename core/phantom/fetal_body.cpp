@@ -58,7 +58,7 @@ float bodyBone(const glm::vec3& p) {
   const float chest = ellipsoid(p, {0, -88, -10}, {31, 35, 24});
   const float rib = std::cos(0.75f * (p.y + 0.25f * p.z)) * 1.4f - 0.2f;
   const float ribs = std::max({chest, -(chest + 1.8f), rib});
-  return std::min(ribs, capsule({std::abs(p.x), p.y, p.z}, {{3, -58, 8}, 1.4f}, {kShoulder, 1.6f}));
+  return std::min(ribs, capsule({std::abs(p.x), p.y, p.z}, {{3, -59, 4}, 1.4f}, {kShoulder, 1.6f}));
 }
 
 float armBone(const glm::vec3& p) {

@@ -22,8 +22,8 @@ Scan makePhantomScan(const PhantomOptions& options, const Progress& progress = {
 //   output   closed mesh (flat where the baby leaves the field of view) with exact normals, vertices within
 //            0.02 mm of the true skin; visibility 1 where the simulated probe sees the skin: at least 1 mm
 //            inside the sector and the field of view, the cosine between normal and way back to the probe
-//            above 0.25, none of the baby in between, and less than 8 dB lost (there and back) in the mother's
-//            tissue and at grazed edges; 0 elsewhere
+//            above 0.25, none of the baby in between, and less than 8 dB lost (there and back) in the
+//            mother's tissue and at grazed edges; 0 elsewhere
 //   errors   Error: an option is out of range; Cancelled
 //   cost     1.4 s of one core
 Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress = {});
