@@ -19,7 +19,7 @@ struct PictureOptions {
   glm::ivec2 size{1280, 960};      // pixels
   std::string camera = "probe";    // see parseCamera
   std::string light = "portrait";  // see parseLighting
-  Beam beam;                       // what "probe" means
+  Beam beam{};                     // what "probe" means
 };
 
 // pictureOfMesh: the lit surface, four samples per pixel.

@@ -46,6 +46,8 @@ class Raycaster {
   void draw(const RaycastInput& input, const gl::Target& target);
   // surface: the normals and depths that were drawn last (surface).
   const gl::Framebuffer& surface() const { return surface_; }
+  // translucent: the premultiplied scene-linear colours and opacities that were drawn last (translucent).
+  const gl::Framebuffer& translucent() const { return translucent_; }
 
  private:
   void drawSurface(const RaycastInput& input, const gl::Target& target);

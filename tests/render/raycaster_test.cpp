@@ -1,0 +1,160 @@
+#include "render/raycaster.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gl/read_pixels.h"
+#include "render/light_volume.h"
+#include "tests/render/support/gl_test.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr float kRadius = 12;
+const glm::dvec3 kCentre(31, -20, 55);
+constexpr glm::ivec2 kSize(160, 120);
+
+// A ball of radius 12 mm, bright inside, on a turned grid of unequal spacing; iso-value 0.5.
+Volume<float> ball() {
+  Geometry g;
+  g.dims = {48, 70, 40};
+  g.spacing = {0.8, 0.5, 1.0};
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  g.direction = glm::dmat3(glm::dvec3(c, s, 0), glm::dvec3(-s, c, 0), glm::dvec3(0, 0, 1));
+  g.origin = kCentre - g.direction * (g.spacing * 0.5 * glm::dvec3(g.dims - 1));
+  Volume<float> volume(g);
+  for (int k = 0; k < g.dims.z; ++k)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i) {
+        const double r = glm::length(g.toWorld({i, j, k}) - kCentre);
+        volume.at(i, j, k) = float(glm::clamp(0.5 + 0.12 * (kRadius - r), 0.0, 1.0));
+      }
+  return volume;
+}
+
+class RaycasterTest : public GlTest {
+ protected:
+  RaycasterTest() { volume_.set(std::make_shared<Volume<float>>(ball())); }
+
+  // cast: draws the ball as a surface and keeps the surface buffer.
+  void cast(float raysPerPixel = 1) {
+    camera_ = parseCamera("front,azimuth=25,elevation=10", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+    target_ = gl::Framebuffer({.size = kSize});
+    raycaster_.draw({.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .raysPerPixel = raysPerPixel},
+                    target_);
+  }
+  GpuVolume volume_;
+  Camera camera_;
+  gl::Framebuffer target_;
+  Raycaster raycaster_;
+};
+
+TEST_F(RaycasterTest, SphereHasItsClosedFormDepthsNormalsAndSilhouette) {
+  cast();
+  const auto depths = gl::readFloats(raycaster_.surface().depth(), 1);
+  const auto normals = gl::readFloats(raycaster_.surface().colour(), 4);
+  const float aspect = 4.0f / 3;
+  const glm::mat4 inverse =
+      glm::inverse(glm::mat4(camera_.projection(aspect, worldBox(volume_.geometry())) * camera_.view()));
+  double covered = 0, worst = 0, worstAngle = 0;
+  for (int y = 0; y < kSize.y; ++y)
+    for (int x = 0; x < kSize.x; ++x) {
+      const std::size_t p = std::size_t(y * kSize.x + x);
+      if (depths[p] >= 1) continue;
+      ++covered;
+      const glm::vec2 ndc = 2.0f * glm::vec2(float(x) + 0.5f, float(y) + 0.5f) / glm::vec2(kSize) - 1.0f;
+      const glm::vec4 world = inverse * glm::vec4(ndc, 2 * depths[p] - 1, 1);
+      const glm::vec3 arm = glm::vec3(world) / world.w - glm::vec3(kCentre);
+      const glm::vec3 normal(normals[4 * p], normals[4 * p + 1], normals[4 * p + 2]);
+      worst = std::max(worst, std::abs(double(glm::length(arm)) - kRadius));
+      worstAngle = std::max(worstAngle, double(glm::length(glm::normalize(normal) - glm::normalize(arm))));
+    }
+  EXPECT_LT(worst, 0.05);       // mm; interpolation alone makes spacing^2 / (8 radius) = 0.01
+  EXPECT_LT(worstAngle, 0.03);  // radians
+  const double sine = kRadius / camera_.distance, tangent = sine / std::sqrt(1 - sine * sine);
+  const double radius = 60 * tangent / std::tan(0.5 * glm::radians(double(camera_.fieldOfView)));
+  EXPECT_NEAR(std::sqrt(covered / 3.14159265), radius, 0.35);  // pixels
+}
+
+TEST_F(RaycasterTest, ThinSheetIsNeverLeaptOver) {
+  Geometry g;
+  g.dims = glm::ivec3(33);
+  for (const int sheet : {6, 7, 8, 9, 15, 16, 17, 31}) {  // around the borders of bricks
+    Volume<float> volume(g);
+    for (int k = 0; k < 33; ++k)
+      for (int i = 0; i < 33; ++i) volume.at(i, sheet, k) = 1;
+    volume_.set(std::make_shared<Volume<float>>(volume));
+    camera_ = parseCamera("front,azimuth=12,elevation=-7,zoom=4", Beam{}, worldBox(g), 1);
+    target_ = gl::Framebuffer({.size = {64, 64}});
+    const Lighting lighting = portraitLighting(camera_);
+    raycaster_.draw({.volume = volume_, .camera = camera_, .lighting = lighting, .iso = 0.3f}, target_);
+    const auto depths = gl::readFloats(raycaster_.surface().depth(), 1);
+    EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0f), 0) << "sheet at " << sheet;
+  }
+}
+
+TEST_F(RaycasterTest, FewerRaysShowTheSamePictureMoreSoftly) {
+  cast(1);
+  const Image fine = gl::readImage(target_);
+  cast(0.5f);
+  const Image coarse = gl::readImage(target_);
+  double sum = 0;
+  for (std::size_t i = 0; i < fine.rgba.size(); ++i) sum += std::abs(int(fine.rgba[i]) - int(coarse.rgba[i]));
+  EXPECT_LT(sum / double(fine.rgba.size()), 3);
+  EXPECT_EQ(raycaster_.surface().size(), kSize / 2);
+}
+
+TEST_F(RaycasterTest, CroppingCutsTheBallOpen) {
+  camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+  target_ = gl::Framebuffer({.size = kSize});
+  raycaster_.draw(
+      {.volume = volume_, .camera = camera_, .lighting = portraitLighting(camera_), .cropMin = {0, 0.5f, 0}},
+      target_);
+  const auto surfaces = gl::readFloats(raycaster_.surface().colour(), 4);
+  const std::size_t middle = std::size_t(60 * kSize.x + 80) * 4;
+  const glm::vec3 normal(surfaces[middle], surfaces[middle + 1], surfaces[middle + 2]);
+  // The cut's outward normal is -j, and it shows the inside.
+  EXPECT_LT(glm::length(normal + glm::vec3(volume_.geometry().direction[1])), 1e-3f);
+  EXPECT_LT(surfaces[middle + 3], 0);
+}
+
+TEST_F(RaycasterTest, FogHasTheOpacityOfItsThickness) {
+  Geometry g;
+  g.dims = glm::ivec3(40);
+  volume_.set(std::make_shared<Volume<float>>(Volume<float>(g, 1.0f)));
+  camera_ = parseCamera("front", Beam{}, worldBox(g), 1);
+  target_ = gl::Framebuffer({.size = {65, 65}});
+  raycaster_.draw({.volume = volume_,
+                   .camera = camera_,
+                   .lighting = portraitLighting(camera_),
+                   .look = VolumeLook::translucent,
+                   .transfer = {{{0, glm::vec3(1), 0}, {1, glm::vec3(1), 0.008f}}}},
+                  target_);
+  const auto colours = gl::readFloats(raycaster_.translucent().colour(), 4);
+  double opacity = 0;  // averaged over the starts of the rays
+  for (int y = 28; y < 37; ++y)
+    for (int x = 28; x < 37; ++x) opacity += double(colours[std::size_t(4 * (y * 65 + x) + 3)]) / 81;
+  EXPECT_NEAR(opacity, 1 - std::exp(-39 * extinctionPerMm(0.008f, worldDiagonal(g))), 0.006);
+}
+
+TEST_F(RaycasterTest, TranslucentBallCastsItsShadowInward) {
+  camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+  target_ = gl::Framebuffer({.size = kSize});
+  raycaster_.draw({.volume = volume_,
+                   .camera = camera_,
+                   .lighting = portraitLighting(camera_),
+                   .look = VolumeLook::translucent,
+                   .transfer = amberTransfer(0.5f)},
+                  target_);
+  const Image image = gl::readImage(target_);
+  const auto red = [&](int x, int y) { return int(image.rgba[std::size_t(4 * (y * kSize.x + x))]); };
+  EXPECT_GT(red(80 - 18, 60 - 18), red(80 + 18, 60 + 18) + 30);
+}
+
+}  // namespace
+}  // namespace sonoskin

@@ -1,0 +1,115 @@
+#include "render/slice_view.h"
+
+#include <gtest/gtest.h>
+
+#include "render/gl/read_pixels.h"
+#include "tests/render/support/gl_test.h"
+
+namespace sonoskin {
+namespace {
+
+class SliceViewTest : public GlTest {
+ protected:
+  static Geometry geometry() {
+    Geometry g;
+    g.dims = {24, 16, 8};
+    g.origin = {100, 50, -20};
+    return g;
+  }
+  static std::uint8_t byteAt(int i, int j, int k) { return std::uint8_t((i * 10 + j * 7 + k * 29) % 256); }
+  static Volume<float> numbered() {
+    Volume<float> volume(geometry());
+    for (int k = 0; k < 8; ++k)
+      for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 24; ++i) volume.at(i, j, k) = float(byteAt(i, j, k)) / 255.0f;
+    return volume;
+  }
+  static glm::ivec3 pixel(const Image& image, int x, int y) {
+    const std::uint8_t* p = &image.rgba[std::size_t(4 * (y * image.width + x))];
+    return {p[0], p[1], p[2]};
+  }
+  Image draw(const SliceViewInput& input, glm::ivec2 size) {
+    const gl::Framebuffer target({.size = size});
+    SliceView().draw(input, target);
+    return gl::readImage(target);
+  }
+};
+
+TEST_F(SliceViewTest, OnePixelPerVoxelShowsTheVoxelsExactly) {
+  GpuVolume volume;
+  volume.set(std::make_shared<Volume<float>>(numbered()));
+  const Geometry g = geometry();
+  for (const Plane plane : kPlanes) {
+    const SliceCamera camera{.plane = plane, .cursor = g.toWorld({9, 6, 3})};
+    const glm::ivec2 size(g.dims[axisRight(plane)], g.dims[axisDown(plane)]);
+    const Image image = draw({.frame = g, .camera = camera, .volume = volume, .crossHair = false}, size);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        glm::ivec3 index(9, 6, 3);
+        index[axisRight(plane)] = x;
+        index[axisDown(plane)] = y;
+        const int expected = byteAt(index.x, index.y, index.z);
+        ASSERT_NEAR(pixel(image, x, y).r, expected, 1) << x << " " << y << " " << int(plane);
+        ASSERT_EQ(pixel(image, x, y).r, pixel(image, x, y).b);
+      }
+  }
+}
+
+TEST_F(SliceViewTest, WindowAndLevelStretchTheValues) {
+  GpuVolume volume;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.4f)));
+  const SliceCamera camera{.cursor = geometry().toWorld({9, 6, 3})};
+  const auto shown = [&](GreyWindow window) {
+    const Geometry g = geometry();
+    SliceViewInput in{.frame = g, .camera = camera, .volume = volume, .window = window, .crossHair = false};
+    return pixel(draw(in, {24, 16}), 12, 8).r;
+  };
+  EXPECT_NEAR(shown({0.5f, 1}), 102, 1);
+  EXPECT_NEAR(shown({0.4f, 0.2f}), 128, 1);
+  EXPECT_EQ(shown({0.2f, 0.2f}), 255);
+  EXPECT_EQ(shown({0.8f, 0.2f}), 0);
+}
+
+TEST_F(SliceViewTest, CoarseOverlayLiesWhereItIsInTheWorld) {
+  GpuVolume volume, overlay;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.0f)));
+  // Half the resolution; its voxel (3, 5, 2) has its centre between the fine voxels 6 and 7, 10 and 11, 4 and 5.
+  Geometry coarse = geometry();
+  coarse.dims = coarse.dims / 2;
+  coarse.spacing = glm::dvec3(2);
+  coarse.origin = geometry().toWorld(glm::dvec3(0.5));
+  Volume<std::uint8_t> mark(coarse);
+  mark.at(3, 5, 2) = 255;
+  overlay.set(std::make_shared<Volume<std::uint8_t>>(mark));
+  const Geometry g = geometry();
+  const SliceCamera camera{.plane = Plane::axial, .cursor = g.toWorld({0, 0, 4.5})};
+  const Image image = draw({.frame = g,
+                            .camera = camera,
+                            .volume = volume,
+                            .overlay = &overlay,
+                            .overlayColour = {1, 0, 0},
+                            .crossHair = false},
+                           {24, 16});
+  glm::dvec3 sum(0);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x) sum += double(pixel(image, x, y).r) * glm::dvec3(x, y, 1);
+  EXPECT_NEAR(sum.x / sum.z, 6.5, 0.05);
+  EXPECT_NEAR(sum.y / sum.z, 10.5, 0.05);
+  EXPECT_EQ(pixel(image, 6, 10).g, 0);
+}
+
+TEST_F(SliceViewTest, CrossHairHasTheColoursOfTheOtherPlanes) {
+  GpuVolume volume;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.0f)));
+  const Geometry g = geometry();
+  const SliceCamera camera{.plane = Plane::axial, .cursor = g.toWorld({12, 8, 3})};
+  const Image image = draw({.frame = g, .camera = camera, .volume = volume}, {240, 160});
+  const glm::ivec3 horizontal = pixel(image, 20, 85), vertical = pixel(image, 125, 10);
+  EXPECT_GT(horizontal.g, horizontal.r + 20) << "coronal is green";
+  EXPECT_GT(vertical.r, vertical.b + 60) << "sagittal is yellow";
+  EXPECT_GT(vertical.g, vertical.b + 60);
+  EXPECT_EQ(pixel(image, 60, 40), glm::ivec3(0));
+}
+
+}  // namespace
+}  // namespace sonoskin
