@@ -12,7 +12,7 @@ namespace sonoskin {
 //            at j = 0, head toward -i
 //   contrast CNR = (mean grey of skin - of fluid) / sqrt(mean of their variances) at the default size; skin:
 //            the 0.9 mm below the surface where it faces the beam (cosine > 0.7); fluid: 3 mm clear of
-//            everything, less than 35 mm deep.   snr  0: 2.4   10: 4.2   20: 6.1   30: 7.7   40: 7.7
+//            everything, less than 35 mm deep.   snr  0: 2.4   10: 4.2   20: 6.2   30: 7.7   40: 7.7
 //   errors   Error: an option is out of range; Cancelled
 //   threads  the result does not depend on their number
 //   cost     3 s of one core and 180 MB at the default size
