@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/base/error.h"
@@ -52,6 +53,10 @@ class SlicedGrid {
     const std::size_t stride[3] = {1, std::size_t(d.x), std::size_t(d.x) * std::size_t(d.y)};
     for (int j = 0; j < d.y; ++j) {
       for (int i = 0; i < d.x; ++i) {
+        if (isUniformRun(i, j, k)) {
+          i += kRun - 2;
+          continue;
+        }
         const std::size_t n = field_.geometry.index(i, j, k);
         const glm::ivec3 node(i, j, k);
         for (int axis = 0; axis < 3; ++axis)
@@ -65,8 +70,13 @@ class SlicedGrid {
   template <class F>
   void forEachCell(int k, F&& f) const {
     for (int j = 0; j + 1 < dims().y; ++j)
-      for (int i = 0; i + 1 < dims().x; ++i)
+      for (int i = 0; i + 1 < dims().x; ++i) {
+        if (isUniformRun(i, j, k)) {
+          i += kRun - 2;
+          continue;
+        }
         if (const unsigned c = cellCase(i, j, k); c != 0 && c != 255) f(i, j, c);
+      }
   }
 
   glm::vec3 vertex(int i, int j, int k, int axis) const {
@@ -80,6 +90,23 @@ class SlicedGrid {
   }
 
  private:
+  // Nodes whose states fit one machine word: most of a volume is far from the surface and is passed run by run.
+  static constexpr int kRun = 8;
+
+  // Whether the kRun nodes from (i, j, k) and their neighbours in j and k are all inside or all outside, so that
+  // the first kRun - 1 of them start neither a cut edge nor a cell that holds surface.
+  bool isUniformRun(int i, int j, int k) const {
+    if (i + kRun > dims().x || j + 1 >= dims().y || k + 1 >= dims().z) return false;
+    const auto states = [&](int row, int slice) {
+      std::uint64_t word;
+      std::memcpy(&word, &state_[field_.geometry.index(i, row, slice)], sizeof word);
+      return word;
+    };
+    const std::uint64_t first = states(j, k);
+    if (first != 0 && first != 0x0101010101010101u) return false;
+    return states(j + 1, k) == first && states(j, k + 1) == first && states(j + 1, k + 1) == first;
+  }
+
   // Whether one of the up to four cells around a cut edge is defined.
   bool isUsed(const glm::ivec3& node, int axis) const {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -30,19 +30,18 @@ struct Candidate {
   std::vector<float> phi;
 };
 
-Candidate makeCandidate(const SortedPoints& points, std::uint32_t point, const SupportRule& rule, float hint,
-                        Neighbourhood& scratch) {
-  Candidate candidate;
+// Refills a candidate, whose memory is used again from batch to batch.
+void fitCandidate(const SortedPoints& points, std::uint32_t point, const SupportRule& rule, float hint,
+                  Candidate& candidate) {
+  thread_local Neighbourhood scratch;
   candidate.centre = fitCentre(points, point, rule, double(hint), scratch);
+  candidate.covered.clear();
+  candidate.phi.clear();
   const auto sigma = float(candidate.centre.sigma);
-  const std::size_t count = scratch.countWithin(sigma);
-  candidate.covered.reserve(count);
-  candidate.phi.reserve(count);
   scratch.forEachWithin(sigma, [&](std::uint32_t i, float distance) {
     candidate.covered.push_back(i);
     candidate.phi.push_back(wendland(distance / sigma));
   });
-  return candidate;
 }
 
 class Cover {
@@ -67,17 +66,17 @@ class Cover {
  private:
   void fitAndAccept(const std::vector<std::uint32_t>& batch, float threshold, const Progress& progress) {
     const auto count = std::ptrdiff_t(batch.size());
-    std::vector<Candidate> candidates(batch.size());
+    candidates_.resize(std::max(candidates_.size(), batch.size()));
     parallelFor((count + kFitsPerTask - 1) / kFitsPerTask, [&](std::ptrdiff_t task) {
-      thread_local Neighbourhood scratch;
       for (std::ptrdiff_t i = task * kFitsPerTask; i < std::min(count, (task + 1) * kFitsPerTask); ++i) {
         progress.throwIfCancelled();
         const std::uint32_t point = batch[std::size_t(i)];
-        candidates[std::size_t(i)] = makeCandidate(points_, point, rule_, hint_[point], scratch);
+        fitCandidate(points_, point, rule_, hint_[point], candidates_[std::size_t(i)]);
       }
     });
     std::size_t covered = 0;
-    for (const Candidate& c : candidates) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const Candidate& c = candidates_[i];
       covered += c.covered.size();
       if (overlap_[c.centre.point] < threshold) accept(c);
     }
@@ -101,6 +100,7 @@ class Cover {
   std::vector<float> overlap_;  // o_i
   std::vector<float> hint_;     // support of the centre that last covered the point
   std::vector<Centre> centres_;
+  std::vector<Candidate> candidates_;
   std::size_t batchSize_ = kSmallestBatch;
 };
 

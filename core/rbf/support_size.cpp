@@ -75,8 +75,11 @@ namespace {
 std::optional<double> searchSupport(Neighbourhood& scratch, double radius, const SupportRule& rule) {
   scratch.project(frameAround(scratch.meanNormal(float(kNormalShare * radius))), float(rule.smallest));
   const auto error = [&](double sigma) -> std::optional<double> {
-    if (scratch.countWithin(float(sigma)) < kMinPointsInSupport) return std::nullopt;
-    return rule.error(fitQuadric(scratch.within(float(sigma)), sigma).meanSquare, sigma);
+    // At least half of a flat neighbourhood's samples are closer than sigma, so only few need to be counted.
+    const LocalSamples samples = scratch.within(float(sigma));
+    const bool areMany = samples.count > 8 * kMinPointsInSupport;
+    if (!areMany && scratch.countWithin(float(sigma)) < kMinPointsInSupport) return std::nullopt;
+    return rule.error(fitQuadric(samples, sigma).meanSquare, sigma);
   };
   return firstMinimum(error, rule.smallest, radius, rule.largest);
 }
