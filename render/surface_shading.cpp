@@ -71,7 +71,7 @@ void setScreen(gl::Program& program, const Camera& camera, float aspect, const g
 
 SurfaceShading::SurfaceShading()
     : occlusionProgram_({"common/fullscreen.vert", "surface/occlusion.frag"}),
-      occlusion_({.size = {1, 1}, .colours = {gl::Format::rg16f}}) {}
+      occlusion_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}) {}
 
 gl::Program& SurfaceShading::shadeProgram(MeshLook look, int samplesPerSide) {
   auto& program = shadePrograms_[std::size_t(2 * int(look) + samplesPerSide - 1)];
@@ -91,6 +91,10 @@ void SurfaceShading::occlude(const ShadingInput& input, glm::ivec2 size) {
   input.surface.depth().bind(1);
   program.set("normalMap", 0);
   program.set("depthMap", 1);
+  input.shadow.depth().bind(2);
+  program.set("shadowMap", 2);
+  program.set("keyDirection", input.lighting.key.direction);
+  setShadow(program, input);
   program.set("step", input.samplesPerSide);
   program.set("radius", kOcclusionRadius * input.size);
   program.set("pixelsPerTangent", 0.5f * float(size.y) * input.projection[1][1]);
@@ -107,13 +111,10 @@ void SurfaceShading::draw(const ShadingInput& input, const gl::Target& target) {
   input.surface.colour().bind(0);
   input.surface.depth().bind(1);
   occlusion_.colour().bind(2);
-  input.shadow.depth().bind(3);
   program.set("normalMap", 0);
   program.set("depthMap", 1);
   program.set("occlusionMap", 2);
-  program.set("shadowMap", 3);
   setLights(program, input.lighting);
-  setShadow(program, input);
   setScreen(program, input.camera, float(target.size.x) / float(target.size.y), input.projection);
   program.set("unseenShade", input.unseenShade);
   gl::drawFullScreen();

@@ -11,11 +11,7 @@ in vec2 uv;
 uniform sampler2D normalMap;  // xyz: toward the outside, any length; w: what the probe can have seen, 0 to 1; w is
                               // negative, -1 less, on inner sides, which point toward the eye
 uniform sampler2D depthMap;
-uniform sampler2D occlusionMap;
-uniform sampler2DShadow shadowMap;
-uniform mat4 shadowMatrix;    // world -> shadow map, each axis 0 to 1
-uniform float shadowOffset;   // mm along the normal, against a surface shadowing itself
-uniform float shadowRadius;   // of the penumbra, in shadow-map units
+uniform sampler2D occlusionMap;  // see surface/occlusion.frag
 uniform float unseenShade;    // 0 to 1: how far regions that the probe cannot have seen are greyed
 uniform float exposure;
 uniform vec3 backgroundTop, backgroundBottom;
@@ -37,18 +33,6 @@ const vec3 wrap = vec3(0.10), shadowPower = vec3(1.0);
 const float roughness = 0.55, f0 = 0.04, shine = 0.6;
 #endif
 
-const int shadowTaps = 12;
-
-float keyShadow(vec3 position, vec3 normal) {
-  float slope = 1.0 - abs(dot(normal, keyDirection));
-  vec3 place = (shadowMatrix * vec4(position + normal * shadowOffset * (0.3 + slope), 1.0)).xyz;
-  float angle = 6.2831853 * pixelNoise(gl_FragCoord.xy);
-  float light = 0.0;
-  for (int i = 0; i < shadowTaps; ++i)
-    light += texture(shadowMap, place + vec3(shadowRadius * discPoint(i, shadowTaps, angle), 0.0));
-  return light / float(shadowTaps);
-}
-
 // What arrives of the light from all around, per channel: light that is reflected in folds takes on the surface's
 // colour. [fit of Jimenez et al. 2016]
 vec3 reflectedOcclusion(float arriving, vec3 albedo) {
@@ -56,27 +40,29 @@ vec3 reflectedOcclusion(float arriving, vec3 albedo) {
   return max(vec3(arriving), ((arriving * a + b) * arriving + c) * arriving);
 }
 
-// The mean over 4x4 pixels, which is the noise's period, of those on the same surface.
-float smoothOcclusion(ivec2 pixel, int taps) {
-  vec2 here = texelFetch(occlusionMap, pixel, 0).xy;
+// Light from all around and of the key: the mean over 4x4 pixels, the noise's period, on the same surface.
+vec2 arrivingLight(ivec2 pixel, int taps) {
+  float here = texelFetch(occlusionMap, pixel, 0).y;
   ivec2 last = textureSize(occlusionMap, 0) - 1;
-  float sum = 0.0, weights = 0.0;
+  vec2 sum = vec2(0.0);
+  float weights = 0.0;
   for (int i = 0; i < taps; ++i) {
-    vec2 there = texelFetch(occlusionMap, clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last), 0).xy;
-    float weight = max(1.0 - abs(there.y - here.y) / (0.01 * here.y), 1e-3);
-    sum += weight * there.x;
+    vec3 there = texelFetch(occlusionMap, clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last), 0).xyz;
+    float weight = max(1.0 - abs(there.y - here) / (0.01 * here), 1e-3);
+    sum += weight * there.xz;
     weights += weight;
   }
   return sum / max(weights, 1e-3);
 }
 
-vec3 shade(vec3 position, vec3 normal, float seen, float arriving) {
+vec3 shade(vec3 position, vec3 normal, float seen, vec2 light) {
+  float arriving = light.x;
   vec3 toEye = normalize(eye - position);
   bool inner = seen < 0.0;
   vec3 albedo = skinAlbedo;
   float unseen = unseenShade * (1.0 - (inner ? 1.0 : seen));
   albedo = mix(albedo, vec3(luminance(albedo)) * vec3(0.55, 0.6, 0.7), unseen);
-  vec3 key = keyColour * pow(vec3(keyShadow(position, normal)), shadowPower);
+  vec3 key = keyColour * pow(vec3(light.y), shadowPower);
   vec3 fill = fillColour * mix(1.0, arriving, 0.6);
   vec3 sum = albedo * (key * wrapped(dot(normal, keyDirection), wrap) * mix(1.0, arriving, 0.3) +
                        fill * wrapped(dot(normal, fillDirection), wrap));
@@ -84,6 +70,9 @@ vec3 shade(vec3 position, vec3 normal, float seen, float arriving) {
                   fill * specular(normal, toEye, fillDirection, roughness, f0));
   float edge = pow(1.0 - max(dot(normal, toEye), 0.0), 3.0);
   vec3 around = hemisphere(normal) + rimColour * edge * (0.4 + 0.6 * max(dot(normal, rimDirection), 0.0));
+#if defined(SKIN)
+  around *= vec3(1.10, 0.97, 0.90);  // what entered elsewhere comes out red
+#endif
   sum += albedo * around * reflectedOcclusion(arriving, albedo);
   return inner ? sum * vec3(0.35, 0.33, 0.36) : sum;
 }
@@ -111,13 +100,13 @@ void main() {
   float height = uv.y + 0.25 * (uv.x - 0.5) * (uv.x - 0.5);
   vec3 background = mix(backgroundBottom, backgroundTop, smoothstep(0.0, 1.0, height));
   int count = empty ? 0 : smoothPiece ? 1 : n;
-  float arriving = smoothOcclusion(pixel, empty ? 0 : 16);
+  vec2 light = arrivingLight(pixel, empty ? 0 : 16);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < count; ++i) {
     vec4 surface = smoothPiece ? meanSurface : surfaces[i];
     float depth = smoothPiece ? meanDepth : depths[i];
     vec3 position = eye + distanceOf(depth) * rayAt(uv);
-    vec3 shown = toneMap(exposure * shade(position, normalize(surface.xyz), surface.w, arriving));
+    vec3 shown = toneMap(exposure * shade(position, normalize(surface.xyz), surface.w, light));
     sum += depth < 1.0 ? shown : background;
   }
   vec3 linear = count > 0 ? sum / float(count) : background;
