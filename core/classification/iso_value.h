@@ -9,8 +9,7 @@ namespace sonoskin {
 //   lowPassed  values in [0, 1]
 //   view       voxels outside it are not counted
 //   method     Otsu's threshold parts the histogram into fluid and tissue; the proposal lies kShare of the
-//   way from
-//              the one's mean to the other's  [Otsu 1979; the share from the spec's 0.35 .. 0.42]
+//              way from the one's mean to the other's  [Otsu 1979; the share from the spec's 0.35 .. 0.42]
 //   output     in [0.02, 0.98]
 float proposeIsoValue(const Volume<float>& lowPassed, const FieldOfView& view);
 

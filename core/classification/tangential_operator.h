@@ -12,8 +12,7 @@ namespace sonoskin {
 
 // Directions: the normalised gradient g of the low-passed volume, in the cells between 2x2x2 voxels.
 //   x, y, z  127 times g, per cell; cell (i,j,k) lies between voxels (i,j,k) and (i+1,j+1,k+1) and is stored
-//   at
-//            voxel (i,j,k)'s index; 0 for the last i, j and k, which have no cell
+//            at voxel (i,j,k)'s index; 0 for the last i, j and k, which have no cell
 struct Directions {
   Geometry geometry;
   std::vector<std::int8_t> x, y, z;

@@ -44,8 +44,7 @@ class Pipeline {
   ~Pipeline();
   // run: brings everything up to `goal`.
   //   stageBegins  called with a word for people ("classification") as each stage starts
-  //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before
-  //   then.
+  //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before.
   using StageBegins = std::function<void(const std::string& name)>;
   Results run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress = {},
               const StageBegins& stageBegins = {});

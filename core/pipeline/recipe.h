@@ -11,8 +11,7 @@ namespace sonoskin {
 std::string writeRecipe(const Parameters& parameters, const Key& input = {});
 
 // readRecipe: sets the parameters that the recipe names and leaves the others.
-//   errors   Error: not JSON, an unknown group or field, a value of the wrong kind or out of range, each
-//   named
+//   errors   Error: not JSON, an unknown group or field, a value of the wrong kind or out of range, by name
 void readRecipe(const std::string& json, Parameters& parameters);
 
 }  // namespace sonoskin

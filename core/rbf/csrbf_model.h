@@ -11,8 +11,7 @@
 namespace sonoskin {
 
 // CsrbfModel: the implicit function of a surface; world mm.
-//   S(x) = Σ_c (g_c(x) + λ_c) φ_c(x) / Σ_c φ_c(x)              [Ohtake et al. 2006, normalised; thesis 3.9 is
-//   not]
+//   S(x) = Σ_c (g_c(x) + λ_c) φ_c(x) / Σ_c φ_c(x)          [Ohtake et al. 2006, normalised; thesis 3.9 is not]
 // S is close to the signed distance from the surface: > 0 outside (on the side of the normals), < 0 inside,
 // and undefined outside all supports.
 class CsrbfModel {

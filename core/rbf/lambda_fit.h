@@ -28,10 +28,8 @@ struct LambdaSystem {
 LambdaSystem assembleLambdaSystem(const SortedPoints& points, const std::vector<Centre>& centres,
                                   const Progress& progress = {});
 
-// solveLambda: λ of (A + T_reg Dg) λ = b with Dg_ii = 1/(M σ_i²).                         [thesis 3.23
-// to 3.25]
-//   method   conjugate gradients, Jacobi preconditioner, until |residual| <= 1e-4 |b|; A is symmetric and
-//   positive
+// solveLambda: λ of (A + T_reg Dg) λ = b with Dg_ii = 1/(M σ_i²).                         [thesis 3.23 to 3.25]
+//   method   conjugate gradients, Jacobi preconditioner, until |residual| <= 1e-4 |b|; A is symmetric and positive
 //            semi-definite
 //   errors   Cancelled
 std::vector<double> solveLambda(const LambdaSystem& system, const std::vector<Centre>& centres,

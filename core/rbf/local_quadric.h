@@ -35,9 +35,8 @@ struct LocalFit {
 
 // fitQuadric: the quadric closest to the samples within the support.
 //   sigma    support, mm; samples at r >= sigma do not count
-//   solves   min Σ_j w_j g(p_j)², w_j = d_j φ(r_j/σ)                     [thesis 3.16 with its missing
-//   square, 3.17] method   coordinates scaled by 1/σ, 21 sums in float, 6x6 Cholesky in double; if singular a
-//   plane, then a
+//   solves   min Σ_j w_j g(p_j)², w_j = d_j φ(r_j/σ)             [thesis 3.16 with its missing square, 3.17]
+//   method   coordinates scaled by 1/σ, 21 sums in float, 6x6 Cholesky in double; if singular a plane, then a
 //            constant
 //   cost     O(count); 40 operations per sample, vector code
 LocalFit fitQuadric(const LocalSamples& samples, double sigma);

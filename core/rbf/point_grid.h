@@ -68,8 +68,7 @@ void PointGrid::forEachRun(const glm::vec3& centre, float radius, F&& f) const {
 }
 
 // pointSpacing: h = 1/sqrt(density) of points on a surface, mm; 0 if all are at one place.
-//   method   points per occupied box of edge c: h = c / sqrt(N / boxes); c = diagonal/256, enlarged until
-//   there
+//   method   points per occupied box of edge c: h = c / sqrt(N / boxes); c = diagonal/256, enlarged until there
 //            are 1.5 points in a box
 double pointSpacing(const std::vector<glm::vec3>& positions);
 

@@ -23,8 +23,7 @@ struct SortedPoints {
 
 // sortPoints: checks the points, sorts them and measures their density.
 //   errors   Error: fewer than 12 points, a number that is not finite, a missing normal, a confidence <= 0,
-//   all
-//            points on one line; Cancelled
+//            all points on one line; Cancelled
 SortedPoints sortPoints(const SurfacePoints& points, const ReconstructionOptions& options,
                         const Progress& progress = {});
 

@@ -26,11 +26,9 @@ struct SupportRule {
 // firstMinimum: the first local minimum of a function sampled at σ_k = smallest 2^(k/2), then refined by two
 // parabola steps in ln σ.
 //   error      gives E(σ), or nothing where there are too few points; sampled up to `reach`
-//   output     σ of the minimum; `reach` if the function falls up to there and reach >= largest; else
-//   nothing: a
+//   output     σ of the minimum; `reach` if the function falls up to there and reach >= largest; else nothing: a
 //              larger reach is needed
-//   note       the bracket of a minimum at σ_k is (σ_{k-1}, σ_{k+1}): a minimum may lie on either side of a
-//   sample
+//   note       the bracket of a minimum at σ_k is (σ_{k-1}, σ_{k+1}): it may lie on either side of a sample
 std::optional<double> firstMinimum(const std::function<std::optional<double>(double sigma)>& error,
                                    double smallest, double reach, double largest);
 

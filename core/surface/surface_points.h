@@ -21,8 +21,8 @@ struct SurfacePoints {
 };
 
 // extractSurfacePoints: the world positions of surface voxels, with normals from the low-passed volume.
-//   normals    n = -grad v~ / |grad v~| at the refined position; points where the gradient is zero are left
-//   out errors     Cancelled
+//   normals    n = -grad v~ / |grad v~| at the refined position; points where the gradient is zero are left out
+//   errors     Cancelled
 SurfacePoints extractSurfacePoints(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed,
                                    const Progress& progress = {});
 

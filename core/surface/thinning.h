@@ -27,8 +27,7 @@ struct ScanFrame {
 // thin: non-maximum suppression of the classified volume u across the surface.
 //   direction   n = grad v~ of the low-passed volume, in millimetres: u is a ridge, whose own gradient flips
 //   keeps       u(x) > u(x - d) and u(x) >= u(x + d), or the other way round, u >= threshold; d = n as a step
-//   of
-//               at most one voxel along each axis; trilinear
+//               of at most one voxel along each axis; trilinear
 //   sub-voxel   parabola through the three values of 1/u, at most half a step
 //   facing      keeps dark to bright along the beam: grad v~ . beam > facing |grad v~|
 //   border      keeps what is at least borderMargin smallest spacings inside the field of view

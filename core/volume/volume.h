@@ -26,7 +26,7 @@ struct Geometry {
   glm::dvec3 toIndex(const glm::dvec3& world) const {
     return (glm::transpose(direction) * (world - origin)) / spacing;
   }
-  // toWorldNormal: the world direction of a gradient taken per mm along i, j, k; not normalised.
+  // toWorldDirection: the world direction of a gradient taken per mm along i, j, k; not normalised.
   glm::dvec3 toWorldDirection(const glm::dvec3& alongAxesMm) const { return direction * alongAxesMm; }
   bool mirrors() const { return glm::determinant(direction) < 0; }
   double minSpacing() const { return glm::min(spacing.x, glm::min(spacing.y, spacing.z)); }
