@@ -28,8 +28,7 @@ struct BatchOptions {
 // points.ply on request.
 //   stageBegins  called with a word for people as each stage starts
 //   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the
-//   results
-//                of earlier runs in it are as before then.
+//                results of earlier runs in it are as before then.
 Report runBatch(const BatchOptions& options, const Progress& progress = {},
                 const Pipeline::StageBegins& stageBegins = {});
 

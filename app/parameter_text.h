@@ -22,8 +22,7 @@ struct ParameterInfo {
 std::vector<ParameterInfo> describeParameters(const Parameters& parameters);
 
 // setParameter: sets "group.field" from text: 12, 0.7, on, probe, 467x255x124, 1.5,-2,30.
-//   errors  Error (usage): an unknown name, text of the wrong kind, or a number out of range; the sentence
-//   names it
+//   errors  Error (usage): an unknown name, text of the wrong kind, or a number out of range; the sentence names it
 void setParameter(Parameters& parameters, std::string_view name, std::string_view text);
 
 }  // namespace sonoskin
