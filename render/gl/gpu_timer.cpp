@@ -5,22 +5,25 @@
 namespace sonoskin::gl {
 
 GpuTimer::GpuTimer() {
-  unsigned name = 0;
-  glCreateQueries(GL_TIME_ELAPSED, 1, &name);
-  query_ = Object<Traits>(name);
+  unsigned names[2] = {};
+  glCreateQueries(GL_TIMESTAMP, 2, names);
+  begin_ = Object<Traits>(names[0]);
+  end_ = Object<Traits>(names[1]);
 }
 
-void GpuTimer::begin() { glBeginQuery(GL_TIME_ELAPSED, query_.name()); }
+void GpuTimer::begin() { glQueryCounter(begin_.name(), GL_TIMESTAMP); }
 
 void GpuTimer::end() {
-  glEndQuery(GL_TIME_ELAPSED);
+  glQueryCounter(end_.name(), GL_TIMESTAMP);
   measured_ = true;
 }
 
 double GpuTimer::seconds() const {
-  GLuint64 nanoseconds = 0;
-  if (measured_) glGetQueryObjectui64v(query_.name(), GL_QUERY_RESULT, &nanoseconds);
-  return double(nanoseconds) * 1e-9;
+  if (!measured_) return 0;
+  GLuint64 from = 0, to = 0;  // nanoseconds
+  glGetQueryObjectui64v(begin_.name(), GL_QUERY_RESULT, &from);
+  glGetQueryObjectui64v(end_.name(), GL_QUERY_RESULT, &to);
+  return to > from ? double(to - from) * 1e-9 : 0;
 }
 
 void GpuTimer::Traits::destroy(unsigned name) { glDeleteQueries(1, &name); }

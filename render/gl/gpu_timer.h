@@ -18,7 +18,8 @@ class GpuTimer {
   struct Traits {
     static void destroy(unsigned name);
   };
-  Object<Traits> query_;
+  Object<Traits> begin_,
+      end_;  // timestamps: software rasterisers get elapsed-time queries without draws wrong
   bool measured_ = false;
 };
 
