@@ -1,0 +1,123 @@
+// `sonoskin run` from outside: what it writes, what it leaves after a failure, how it stops.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/base/timer.h"
+#include "core/base/version.h"
+#include "core/io/image.h"
+#include "tests/app/cli_support.h"
+
+namespace sonoskin::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names kResults{"mesh.ply", "mesh.png",   "recipe.json", "report.json",
+                     "skin.png", "slices.png", "truth.ply",   "volume.png"};
+
+TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
+  const TempFolder folder;
+  const ProgramResult result =
+      sonoskin(withSmall({"run", "phantom", "--out", (folder / "a/b").string(), "--json", "--size", "160x120",
+                          "--keep", "classified,thinned,points", "--export", "ply,stl"}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  Names expected = kResults;
+  for (const char* extra : {"classified.nrrd", "thinned.nrrd", "points.ply", "mesh.stl"})
+    expected.push_back(extra);
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(filesBelow(folder / "a/b"), expected);
+
+  const nlohmann::json report = nlohmann::json::parse(result.out);
+  EXPECT_EQ(fileText(folder / "a/b/report.json"), result.out.substr(0, result.out.size() - 1));
+  EXPECT_EQ(report["version"], kVersion);
+  EXPECT_EQ(report["input"], "phantom");
+  EXPECT_EQ(report["dims"], (nlohmann::json{117, 64, 31}));
+  EXPECT_EQ(report["spacing_mm"].size(), 3u);
+  for (const char* key : {"points", "centres", "triangles", "area_mm2", "peak_memory_bytes", "threads"})
+    EXPECT_GT(report[key].get<double>(), 0) << key;
+  EXPECT_FALSE(report["gl"].get<std::string>().empty());
+  for (const auto& stage : report["stages"]) {
+    EXPECT_TRUE(stage["name"].is_string());
+    EXPECT_GE(stage["seconds"].get<double>(), 0);
+    EXPECT_TRUE(stage["bytes"].is_number_unsigned());
+  }
+  const Image picture = readPng(folder / "a/b/skin.png");
+  EXPECT_EQ(picture.width, 160);
+  EXPECT_EQ(picture.height, 120);
+}
+
+TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
+  const TempFolder folder;
+  const Names first = withSmall({"run", "phantom", "--out", (folder / "1").string(), "--threads", "1"});
+  ASSERT_EQ(sonoskin(first).status, 0);
+  ASSERT_EQ(sonoskin({"run", "phantom", "--out", (folder / "2").string(), "--recipe",
+                      (folder / "1/recipe.json").string(), "--threads", "3"})
+                .status,
+            0);
+  for (const char* name : {"mesh.ply", "truth.ply", "recipe.json", "slices.png"})
+    EXPECT_EQ(fileText(folder / "1" / name), fileText(folder / "2" / name)) << name;
+}
+
+TEST(RunCommand, AFailureLeavesNothingBehind) {
+  const TempFolder folder;
+  const auto bad = folder.write("bad.nrrd",
+                                "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\n"
+                                "encoding: raw\n\nfar too few bytes");
+  const ProgramResult result = sonoskin({"run", bad.string(), "--out", (folder / "a/b").string()});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(filesBelow(folder.path()), Names{"bad.nrrd"});
+}
+
+TEST(RunCommand, AFailureKeepsEarlierResults) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "out");
+  folder.write("out/mesh.ply", "an earlier mesh");
+  folder.write("out/notes.txt", "somebody's notes");
+  const auto bad = folder.write("bad.nrrd", "");
+  EXPECT_EQ(sonoskin({"run", bad.string(), "--out", (folder / "out").string()}).status, 3);
+  EXPECT_EQ(filesBelow(folder / "out"), (Names{"mesh.ply", "notes.txt"}));
+  EXPECT_EQ(fileText(folder / "out/mesh.ply"), "an earlier mesh");
+}
+
+TEST(RunCommand, ASecondRunReplacesTheResultsAndLeavesOtherFiles) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "out");
+  folder.write("out/mesh.ply", "an earlier mesh");
+  folder.write("out/notes.txt", "somebody's notes");
+  ASSERT_EQ(sonoskin(withSmall({"run", "phantom", "--out", (folder / "out").string()})).status, 0);
+  EXPECT_TRUE(fileText(folder / "out/mesh.ply").starts_with("ply\n"));
+  EXPECT_EQ(fileText(folder / "out/notes.txt"), "somebody's notes");
+}
+
+// Starts a run at full size, asks it to stop after `delay` seconds, and gives the seconds until it did.
+double secondsToStop(double delay, int signalNumber) {
+  const TempFolder folder, output;
+  RunningProgram program(SONOSKIN_PROGRAM, {"run", "phantom", "--out", (folder / "out").string()},
+                         output.path());
+  std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+  EXPECT_TRUE(program.running()) << "it was over before it could be stopped";
+  const Timer timer;
+  program.signal(signalNumber);
+  const ProgramResult result = program.wait();
+  const double seconds = timer.seconds();
+  EXPECT_EQ(result.status, 4);
+  EXPECT_NE(result.err.find("sonoskin: error: cancelled"), std::string::npos) << result.err;
+  EXPECT_EQ(filesBelow(folder.path()), Names{});
+  return seconds;
+}
+
+TEST(RunCommand, StopsAtOnceOnInterrupt) {
+  for (const double delay : {0.2, 1.0, 2.2}) {
+    const double seconds = secondsToStop(delay, SIGINT);
+    RecordProperty("seconds_to_stop_after_" + std::to_string(delay), std::to_string(seconds));
+    EXPECT_LT(seconds, 2) << "interrupted after " << delay << " s";  // 0.3 on a quiet machine
+  }
+  EXPECT_LT(secondsToStop(0.5, SIGTERM), 2);
+}
+
+}  // namespace
+}  // namespace sonoskin::test
