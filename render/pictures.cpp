@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/volume/gaussian.h"
+#include "core/volume/resample.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin {
@@ -17,26 +18,22 @@ void checkSize(glm::ivec2 size) {
                 Error::Kind::usage);
 }
 
-// Crop: a part of a volume, as texture coordinates (see RaycastInput) and as the box that the camera looks at.
-struct Crop {
-  glm::vec3 min{0}, max{1};
-  Box box;
-};
-
-Crop cropOf(const Geometry& geometry, const std::optional<Box>& wanted) {
-  const Box whole = worldBox(geometry);
-  if (!wanted) return {.box = whole};
-  Crop crop{glm::vec3(1), glm::vec3(0), {glm::max(whole.min, wanted->min), glm::min(whole.max, wanted->max)}};
-  require(glm::all(glm::lessThan(crop.box.min, crop.box.max)),
-          "the part of the volume to be shown is outside of it");
+// voxelsInside: the part of a volume that holds all voxels inside a box of the world.
+Volume<float> voxelsInside(const Volume<float>& volume, const Box& box) {
+  const Geometry& g = volume.geometry;
+  glm::dvec3 low(1e9), high(-1e9);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
-    const glm::dvec3 index = geometry.toIndex(glm::dvec3(glm::mix(crop.box.min, crop.box.max, high)));
-    const glm::vec3 place(index / glm::dvec3(geometry.dims - 1));  // within half a voxel
-    crop.min = glm::clamp(glm::min(crop.min, place), 0.0f, 1.0f);
-    crop.max = glm::clamp(glm::max(crop.max, place), 0.0f, 1.0f);
+    const glm::bvec3 far(corner & 1, corner & 2, corner & 4);
+    const glm::dvec3 index = g.toIndex(glm::dvec3(glm::mix(box.min, box.max, far)));
+    low = glm::min(low, index);
+    high = glm::max(high, index);
   }
-  return crop;
+  const glm::dvec3 last(g.dims - 1);
+  require(glm::all(glm::lessThan(low, last)) && glm::all(glm::greaterThan(high, glm::dvec3(0))),
+          "the part of the volume to be shown is outside of it");
+  const glm::ivec3 first(glm::floor(glm::max(low, 0.0)));
+  const glm::ivec3 end = glm::ivec3(glm::ceil(glm::min(high, last))) + 1;
+  return cropVolume(volume, first, end - first);
 }
 
 float aspectOf(glm::ivec2 size) { return float(size.x) / float(size.y); }
@@ -68,12 +65,13 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
   if (!(look.iso > 0 && look.iso < 1))
     throw Error(fmt::format("an iso-value of {} is not between 0 and 1", look.iso), Error::Kind::usage);
   context.makeCurrent();
+  // Cut the volume itself, so that what is left out casts no shadow and costs nothing.
+  if (look.crop) volume = std::make_shared<const Volume<float>>(voxelsInside(*volume, *look.crop));
   if (look.smoothing > 0)
     volume = std::make_shared<const Volume<float>>(gaussianBlur(*volume, look.smoothing));
   GpuVolume gpuVolume;
   gpuVolume.set(volume);
-  const Crop crop = cropOf(volume->geometry, look.crop);
-  const Box framed = look.crop ? crop.box : gpuVolume.contentBox(look.iso);
+  const Box framed = look.crop ? worldBox(volume->geometry) : gpuVolume.contentBox(look.iso);
   const Camera camera = parseCamera(options.camera, options.beam, framed, aspectOf(options.size));
   const gl::Framebuffer picture({.size = options.size});
   Raycaster raycaster;
@@ -83,9 +81,7 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
                   .look = look.look,
                   .iso = look.iso,
                   .transfer = amberTransfer(look.iso),
-                  .gradientReach = 1.5f,
-                  .cropMin = crop.min,
-                  .cropMax = crop.max},
+                  .gradientReach = 1.5f},
                  picture);
   return gl::readImage(picture);
 }

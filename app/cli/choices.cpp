@@ -3,31 +3,33 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "core/base/error.h"
+
 namespace sonoskin {
-namespace {
-
-// The names are in the option's type already; CLI11 would print them again after it.
-CLI::Validator isOneOf(const std::vector<std::string>& names) { return CLI::IsMember(names).description(""); }
-
-}  // namespace
-
 CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& value,
                        const std::vector<std::string>& names, const std::string& help) {
   const std::string text = value.empty() ? help : fmt::format("{} [default {}]", help, value);
   return command.add_option(name, value, text)
       ->type_name(fmt::format("{}", fmt::join(names, "|")))
-      ->check(isOneOf(names));
+      ->check(CLI::IsMember(names).description(""));  // the type tells the names already
 }
 
 CLI::Option* addChoices(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                         const std::vector<std::string>& names, const std::string& help) {
+  const auto store = [name, names, &values](const std::string& text) {
+    values = CLI::detail::split(text, ',');
+    for (const std::string& value : values) {
+      if (std::ranges::count(names, value) == 0)
+        throw Error(fmt::format("{} {}: expected one or more of {}", name, text, fmt::join(names, ",")),
+                    Error::Kind::usage);
+    }
+  };
   const std::string text =
       values.empty() ? help : fmt::format("{} [default {}]", help, fmt::join(values, ","));
-  return command.add_option(name, values, text)
-      ->delimiter(',')
-      ->expected(1)
-      ->type_name(fmt::format("{}", fmt::join(names, ",")))
-      ->check(isOneOf(names));
+  return command.add_option_function<std::string>(name, store, text)
+      ->type_name(fmt::format("{}", fmt::join(names, ",")));
 }
 
 }  // namespace sonoskin

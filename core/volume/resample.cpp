@@ -1,5 +1,8 @@
 #include "core/volume/resample.h"
 
+#include <algorithm>
+
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 
 namespace sonoskin {
@@ -42,6 +45,24 @@ Volume<float> halveResolution(const Volume<float>& volume, const Progress& progr
         }
       },
       progress);
+  return result;
+}
+
+Volume<float> cropVolume(const Volume<float>& volume, const glm::ivec3& first, const glm::ivec3& dims) {
+  const Geometry& g = volume.geometry;
+  require(glm::all(glm::greaterThan(dims, glm::ivec3(0))) &&
+              glm::all(glm::greaterThanEqual(first, glm::ivec3(0))) &&
+              glm::all(glm::lessThanEqual(first + dims, g.dims)),
+          "the part of the volume to be cut out is empty or not inside the volume");
+  Geometry cut = g;
+  cut.dims = dims;
+  cut.origin = g.toWorld(glm::dvec3(first));
+  Volume<float> result(cut);
+  for (int k = 0; k < dims.z; ++k)
+    for (int j = 0; j < dims.y; ++j) {
+      const float* row = &volume.at(first.x, first.y + j, first.z + k);
+      std::copy(row, row + dims.x, &result.at(0, j, k));
+    }
   return result;
 }
 

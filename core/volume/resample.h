@@ -10,4 +10,8 @@ namespace sonoskin {
 //   errors   Cancelled
 Volume<float> halveResolution(const Volume<float>& volume, const Progress& progress = {});
 
+// cropVolume: the part of a volume that begins at voxel `first` and has `dims` voxels; it stays where it is in the world.
+//   errors   Error: no voxel along an axis, or not inside the volume
+Volume<float> cropVolume(const Volume<float>& volume, const glm::ivec3& first, const glm::ivec3& dims);
+
 }  // namespace sonoskin

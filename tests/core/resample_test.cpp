@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/volume/sample.h"
 #include "tests/support/test_volumes.h"
 
@@ -19,6 +20,25 @@ TEST(HalveResolution, KeepsTheWorldFrame) {
   for (int k = 0; k < 9; ++k)
     for (int j = 0; j < 8; ++j)
       for (int i = 0; i < 10; ++i) EXPECT_NEAR(half.at(i, j, k), f(half.geometry.toWorld({i, j, k})), 1e-5);
+}
+
+TEST(CropVolume, KeepsValuesAndTheirPlacesInTheWorld) {
+  Geometry g = test::grid({7, 6, 5}, {0.3, 0.5, 0.9});
+  g.origin = {5, -7, 2};
+  g.direction = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  const auto f = [](glm::dvec3 p) { return 0.1 * p.x - 0.2 * p.y + 0.05 * p.z; };
+  const Volume<float> cut = cropVolume(test::fill(g, f), {2, 1, 3}, {4, 5, 2});
+  EXPECT_EQ(cut.geometry.dims, glm::ivec3(4, 5, 2));
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 4; ++i) EXPECT_NEAR(cut.at(i, j, k), f(cut.geometry.toWorld({i, j, k})), 1e-5);
+}
+
+TEST(CropVolume, RefusesWhatIsNotInside) {
+  const Volume<float> volume(test::grid({7, 6, 5}));
+  EXPECT_THROW(cropVolume(volume, {0, 0, 0}, {8, 6, 5}), Error);
+  EXPECT_THROW(cropVolume(volume, {-1, 0, 0}, {3, 3, 3}), Error);
+  EXPECT_THROW(cropVolume(volume, {0, 0, 0}, {3, 0, 3}), Error);
 }
 
 TEST(SampleTrilinear, IsExactOnProductsOfLines) {
