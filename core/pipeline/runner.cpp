@@ -28,6 +28,7 @@ void Runner::submit(Request request) {
   {
     const std::lock_guard lock(mutex_);
     next_ = std::move(request);
+    results_.reset();  // of an earlier request, perhaps of another scan
     status_.busy = true;
     status_.error.clear();
     status_.cancelled = false;
@@ -77,11 +78,11 @@ void Runner::work() {
 void Runner::runRequest(const Request& request) {
   const auto deliver = [this](Results results) {
     const std::lock_guard lock(mutex_);
-    results_ = std::move(results);
+    if (!sink_.cancel) results_ = std::move(results);  // else it ended before it saw that nobody wants it
   };
   const auto fail = [this](const char* sentence) {
     const std::lock_guard lock(mutex_);
-    status_.error = sentence;
+    if (!sink_.cancel) status_.error = sentence;
   };
   const auto stageBegins = [this](const std::string& name) {
     const std::lock_guard lock(mutex_);
