@@ -40,7 +40,7 @@ void main() {
   vec2 away = abs(pixel - cursor);
   // The middle stays free, so that what the cursor points at can be seen.
   float free = max(away.x, away.y) < 8.0 ? 0.0 : 0.75;
-  shown = away.y <= 0.5 ? mix(shown, horizontalColour, free) : shown;
-  shown = away.x <= 0.5 ? mix(shown, verticalColour, free) : shown;
+  shown = floor(pixel.y) == floor(cursor.y) ? mix(shown, horizontalColour, free) : shown;
+  shown = floor(pixel.x) == floor(cursor.x) ? mix(shown, verticalColour, free) : shown;
   colour = vec4(shown, 1.0);
 }
