@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/theme.h"
 #include "render/gl/context.h"
@@ -73,6 +74,10 @@ bool Application::frame() {
 
 void Application::takeInput() {
   for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
+  for (const KeyPress& press : window_.takeKeys()) {
+    const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || press.alt;
+    if (!elsewhere) runShortcut({press.key, press.control, press.shift}, workspace_);
+  }
 }
 
 void Application::updateDocument() {
@@ -85,7 +90,11 @@ void Application::updateDocument() {
     shownVolume_ = scan.volume.get();
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;
-    resetView(workspace_.view, scan, beamOf(scan, session.parameters().scan));
+    resetView(workspace_.view, scan, session.beam());
+  }
+  if (session.results().points.get() != shownPoints_) {
+    shownPoints_ = session.results().points.get();
+    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookFromProbe();
   }
   if (session.reconstructions() != reconstructions_) {
     reconstructions_ = session.reconstructions();

@@ -41,6 +41,7 @@ class Application {
   Workspace workspace_;
   ui::FourUp views_;
   std::string title_;
+  const void* shownPoints_ = nullptr;
   const void* shownVolume_ = nullptr;  // what the views were last reset for
   std::uint64_t reconstructions_ = 0;  // seen so far
   double viewsWant_ = -1, toastsWant_ = -1;

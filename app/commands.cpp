@@ -26,13 +26,8 @@ void toggleMaximised(W& w, Pane pane) {
 }
 
 void showAll(W& w) {
-  const Scan& scan = w.session.scan();
-  resetView(w.view, scan, beamOf(scan, w.session.parameters().scan));
-}
-
-void lookFromProbe(W& w) {
-  const Scan& scan = w.session.scan();
-  resetCamera(w.view, scan, beamOf(scan, w.session.parameters().scan));
+  resetView(w.view, w.session.scan(), w.session.beam());
+  w.lookFromProbe();
 }
 
 void resetParameters(W& w) {
@@ -73,7 +68,7 @@ const Command kCommands[] = {
    [](const W& w) { return w.session.canRedo(); }},
   {"edit.reset", "All parameters to their defaults", Menu::edit, {}, resetParameters, nullptr, nullptr, true},
 
-  {"view.resetCamera", "Look from the probe", Menu::view, key(GLFW_KEY_R), lookFromProbe, hasScan},
+  {"view.resetCamera", "Look from the probe", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookFromProbe(); }, hasScan},
   {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
   {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
    [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},
@@ -116,6 +111,15 @@ const Command& command(std::string_view id) {
 }
 
 bool isEnabled(const Command& c, const Workspace& workspace) { return !c.enabled || c.enabled(workspace); }
+
+bool runShortcut(const Shortcut& shortcut, Workspace& workspace) {
+  for (const Command& c : kCommands) {
+    if (!(c.shortcut == shortcut) || !isEnabled(c, workspace)) continue;
+    c.run(workspace);
+    return true;
+  }
+  return false;
+}
 
 std::string shortcutText(const Shortcut& shortcut) {
   if (shortcut.key == 0) return {};

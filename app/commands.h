@@ -33,6 +33,9 @@ std::span<const Command> commands();
 const Command& command(std::string_view id);  // must exist
 bool isEnabled(const Command& command, const Workspace& workspace);
 
+// runShortcut: runs the command that has the shortcut, where it is enabled; whether there was one.
+bool runShortcut(const Shortcut& shortcut, Workspace& workspace);
+
 // shortcutText: "Ctrl+Shift+Z"; empty without a key.
 std::string shortcutText(const Shortcut& shortcut);
 

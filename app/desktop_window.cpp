@@ -51,11 +51,18 @@ struct DesktopWindow::Callbacks {
     self(window).wantedScale_ = std::max({x, y, 1.0f});
     self(window).requestFrames();
   }
+  static void key(GLFWwindow* window, int key, int, int action, int mods) {
+    if (action == GLFW_PRESS) {
+      self(window).keys_.push_back(
+          {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+    }
+    self(window).requestFrames();
+  }
   static void install(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, wake<double, double>);
     glfwSetMouseButtonCallback(window, wake<int, int, int>);
     glfwSetScrollCallback(window, wake<double, double>);
-    glfwSetKeyCallback(window, wake<int, int, int, int>);
+    glfwSetKeyCallback(window, key);
     glfwSetCharCallback(window, wake<unsigned int>);
     glfwSetWindowFocusCallback(window, wake<int>);
     glfwSetCursorEnterCallback(window, wake<int>);
@@ -139,6 +146,8 @@ void DesktopWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void DesktopWindow::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 std::vector<std::filesystem::path> DesktopWindow::takeDroppedFiles() { return std::exchange(dropped_, {}); }
+
+std::vector<KeyPress> DesktopWindow::takeKeys() { return std::exchange(keys_, {}); }
 
 glm::ivec2 DesktopWindow::size() const {
   glm::ivec2 s;

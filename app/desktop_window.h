@@ -9,6 +9,12 @@ struct GLFWwindow;
 
 namespace sonoskin {
 
+// KeyPress: a key of GLFW that went down, with what was held.
+struct KeyPress {
+  int key = 0;
+  bool control = false, shift = false, alt = false;
+};
+
 // DesktopWindow: one window of the desktop with an OpenGL 4.5 context, which it makes current, and Dear ImGui
 // on top. It draws only when asked: a still window costs no time.
 //   errors   Error (system): no display, or no OpenGL 4.5
@@ -33,6 +39,9 @@ class DesktopWindow {
   void setTitle(const std::string& title);
   // takeDroppedFiles: what was dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDroppedFiles();
+  // takeKeys: the keys that went down since the last call. ImGui only sees which keys are down when a frame begins,
+  // so that it misses one that is pressed and let go while a frame is drawn.
+  std::vector<KeyPress> takeKeys();
   float contentScale() const { return scale_; }
   glm::ivec2 size() const;             // in the units of mouse positions
   glm::ivec2 framebufferSize() const;  // in pixels
@@ -45,6 +54,7 @@ class DesktopWindow {
   float scale_ = 1, wantedScale_ = 1;
   int framesLeft_ = 3;
   std::vector<std::filesystem::path> dropped_;
+  std::vector<KeyPress> keys_;
 };
 
 }  // namespace sonoskin

@@ -192,8 +192,10 @@ bool Session::poll() {
 
 Activity Session::activity() const {
   if (const Worker::Status s = opener_.status(); s.busy) return {true, true, s.fraction, s.label};
-  if (const Runner::Status s = runner_.status(); s.busy)
+  // A request counts until its results were taken in.
+  if (const Runner::Status s = runner_.status(); s.busy || request_) {
     return {true, request_ == Goal::mesh, s.fraction, s.stage};
+  }
   if (const Worker::Status s = saver_.status(); s.busy) return {true, true, s.fraction, s.label};
   return {};
 }

@@ -45,6 +45,7 @@ class Session {
   void setSpacing(const glm::dvec3& spacing);
   bool hasScan() const { return scan_.volume != nullptr; }
   const Scan& scan() const { return scan_; }
+  Beam beam() const { return beamOf(scan_, parameters_.scan); }
   const std::string& name() const { return name_; }
 
   // Parameters. edit() is what a slider does while it moves; commitEdit() when it is let go makes the step

@@ -64,7 +64,7 @@ void applyColours(ImVec4* c) {
   c[ImGuiCol_HeaderHovered] = grey(0.21f);
   c[ImGuiCol_HeaderActive] = grey(0.24f);
   c[ImGuiCol_Separator] = grey(0.2f);
-  c[ImGuiCol_PlotHistogram] = accent(0.9f);
+  c[ImGuiCol_PlotHistogram] = accent(0.5f);
   c[ImGuiCol_TextSelectedBg] = accent(0.35f);
   c[ImGuiCol_NavHighlight] = accent(0.8f);
   c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);

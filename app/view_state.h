@@ -39,11 +39,13 @@ struct ViewState {
 
   SpaceContent content = SpaceContent::volume;
   VolumeStyle volumeStyle = VolumeStyle::surface;
-  VolumeLayer volumeLayer = VolumeLayer::raw;
+  VolumeLayer volumeLayer = VolumeLayer::classified;
+  bool crop = true;  // to the box around the surface points
   MeshStyle meshStyle = MeshStyle::clay;
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   Camera camera;
+  bool cameraMoved = false;  // by the person, since it was last reset
 
   std::optional<Pane> maximised;
 };
@@ -52,8 +54,14 @@ struct ViewState {
 // the pipeline used or, in the classified volume, what makes a strong surface voxel.
 double shownLevel(const ViewState& view, const Results& results);
 
-// resetView: cross-hair to the middle, slices whole, camera on the probe's side.
+// surroundings: the part of the world that the 3D view is about: around the surface points, else the whole volume.
+Box surroundings(const Scan& scan, const Results& results);
+
+// cropTo: a box of the world as shares of a volume, 0 to 1 along i, j, k, with a margin in mm.
+std::array<glm::vec3, 2> cropTo(const Box& box, const Geometry& geometry, float margin);
+
+// resetView: cross-hair to the middle, slices whole, camera on the probe's side. resetCamera: the camera alone.
 void resetView(ViewState& view, const Scan& scan, const Beam& beam);
-void resetCamera(ViewState& view, const Scan& scan, const Beam& beam);
+void resetCamera(ViewState& view, const Beam& beam, const Box& box);
 
 }  // namespace sonoskin

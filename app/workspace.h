@@ -22,6 +22,8 @@ struct Workspace {
     session.openFile(file);
   }
 
+  void lookFromProbe() { resetCamera(view, session.beam(), surroundings(session.scan(), session.results())); }
+
   Session session;
   ViewState view;
   Settings settings;

@@ -26,15 +26,18 @@ std::string sentence(std::string_view text) {
   return result;
 }
 
-template <class Options>
-FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows) {
-  const std::string title = sentence(group.name) + "##" + std::string(group.name);
-  const bool open = ImGui::CollapsingHeader(title.c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", sentence(group.help).c_str());
+// The rows of a group under its heading; `below` is drawn after them.
+template <class Options, class Below>
+FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, const Below& below) {
+  const std::string title = sentence(group.name);
   FieldsEdit edit;
-  if (!open || !beginFields(title.c_str())) return edit;
-  edit = editFields(group.name, options, rows);
-  endFields();
+  if (!foldout(title.c_str(), sentence(group.help).c_str())) return edit;
+  if (beginFields(title.c_str())) {
+    edit = editFields(group.name, options, rows);
+    endFields();
+  }
+  below();
+  ImGui::Dummy({0, 4 * unit()});
   return edit;
 }
 
@@ -62,9 +65,10 @@ void drawMorePanel(Workspace& workspace) {
   bool simulate = false;
   groups(
       [&](const Group& group, auto& options) {
-        const bool classification = group.name == "classification";
-        edit |= drawGroup(group, options, classification ? Rows{kFirst, true} : Rows{});
-        if (group.name == "phantom" && ImGui::Button("Simulate again", {-1, 0})) simulate = true;
+        const Rows rows = group.name == "classification" ? Rows{kFirst, true} : Rows{};
+        edit |= drawGroup(group, options, rows, [&] {
+          if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
+        });
       },
       parameters);
   apply(workspace, parameters, edit);

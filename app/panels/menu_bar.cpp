@@ -34,20 +34,9 @@ void drawMenu(Menu menu, Workspace& workspace) {
   }
 }
 
-void runPressedKeys(Workspace& workspace) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || workspace.files.purpose) return;
-  for (const Command& command : commands()) {
-    const Shortcut& s = command.shortcut;
-    if (s.key == 0 || s.control != io.KeyCtrl || s.shift != io.KeyShift || io.KeyAlt) continue;
-    if (ImGui::IsKeyPressed(s.key, false) && isEnabled(command, workspace)) command.run(workspace);
-  }
-}
-
 }  // namespace
 
 void drawMenuBar(Workspace& workspace) {
-  runPressedKeys(workspace);
   if (!ImGui::BeginMainMenuBar()) return;
   for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
     const bool open = ImGui::BeginMenu(kMenuTitles[i]);

@@ -7,7 +7,7 @@ namespace sonoskin::ui {
 // The parts of the window around the views: free functions that draw into the current ImGui window, or into
 // one of their own where it says so, and act on the workspace.
 
-void drawMenuBar(Workspace& workspace);  // the main menu bar; also runs the commands whose keys were pressed
+void drawMenuBar(Workspace& workspace);
 
 // The side panel, from top to bottom.
 void drawVolumePanel(Workspace& workspace);

@@ -15,14 +15,17 @@ std::string sentence(std::string text) {
   return text;
 }
 
+// One line that is always there, so that nothing below moves when work begins and ends.
 void drawProgress(Workspace& workspace, const Activity& activity) {
-  const float cancel = 76 * unit();
-  const std::string percent = fmt::format("{:.0f} %", 100 * activity.fraction);
-  ImGui::TextUnformatted(sentence(activity.what).c_str());
+  const float cancel = 72 * unit();
+  const std::string idle = workspace.session.hasScan() ? "Up to date" : "Waiting for a volume";
+  const std::string text =
+      activity.busy ? fmt::format("{}  {:.0f} %", sentence(activity.what), 100 * activity.fraction) : idle;
+  const DisabledIf disabled(!activity.busy);
   ImGui::ProgressBar(
-      static_cast<float>(activity.fraction),
+      static_cast<float>(activity.busy ? activity.fraction : 0),
       {ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()},
-      percent.c_str());
+      text.c_str());
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {cancel, 0})) workspace.session.cancel();
   noteWidget("surface.cancel");
@@ -50,15 +53,7 @@ void drawReconstructionPanel(Workspace& workspace) {
     reconstruct.run(workspace);
   }
   noteWidget(reconstruct.id);
-  // Two lines are kept free, so that nothing below moves when work begins and ends.
-  const ImVec2 start = ImGui::GetCursorPos();
-  if (activity.busy) {
-    drawProgress(workspace, activity);
-  } else {
-    ImGui::TextDisabled(workspace.session.hasScan() ? "Up to date" : "Waiting for a volume");
-  }
-  ImGui::SetCursorPos(
-      {start.x, start.y + ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing()});
+  drawProgress(workspace, activity);
   drawMeshFacts(workspace.session);
   if (workspace.session.results().mesh) {
     const Command& save = command("file.saveMesh");

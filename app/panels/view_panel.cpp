@@ -43,6 +43,13 @@ void drawVolumeRows(ViewState& view, const Results& results) {
   }
 }
 
+// The wall of the uterus lies between probe and face: without the crop it hides what one wants to see.
+void drawCrop(ViewState& view) {
+  rowLabel("");
+  ImGui::Checkbox("Only around the found surface", &view.crop);
+  noteWidget("view.crop");
+}
+
 }  // namespace
 
 void drawViewPanel(Workspace& workspace) {
@@ -68,6 +75,7 @@ void drawViewPanel(Workspace& workspace) {
   }
   if (view.content == SpaceContent::volume) {
     drawVolumeRows(view, results);
+    drawCrop(view);
   } else {
     rowLabel("Look");
     chooseSegment("view.meshStyle", {"Clay", "Skin"}, view.meshStyle);

@@ -83,8 +83,7 @@ void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, 
 // Where the sound comes from, at the edge on that side.
 void drawProbe(const PaneInput& pane, const Workspace& w, Plane plane) {
   const Scan& scan = w.session.scan();
-  const Beam beam = beamOf(scan, w.session.parameters().scan);
-  const glm::dvec3 along = glm::transpose(scan.volume->geometry.direction) * beam.axis;
+  const glm::dvec3 along = glm::transpose(scan.volume->geometry.direction) * w.session.beam().axis;
   const glm::dvec2 seen(along[axisRight(plane)], along[axisDown(plane)]);
   if (glm::length(seen) < 0.7) return;
   const float u = unit();

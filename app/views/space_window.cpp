@@ -12,8 +12,10 @@
 namespace sonoskin::ui {
 namespace {
 
-constexpr double kMovingBudget = 0.045, kRestingBudget = 0.6;  // seconds for one picture
-constexpr double kWheelRests = 0.25;                           // seconds without a turn
+constexpr double kMovingBudget = 0.045, kRestingBudget = 2;  // seconds for one picture
+constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;   // share of the pixels along a side
+constexpr float kCropMargin = 5;                             // mm around the surface points
+constexpr double kWheelRests = 0.25;                         // seconds without a turn
 
 bool showsMesh(const Workspace& w) {
   return w.view.content == SpaceContent::mesh && w.session.results().mesh;
@@ -35,8 +37,9 @@ Key pictureKey(const Workspace& w, glm::ivec2 size) {
   if (showsMesh(w)) {
     hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get()));
   } else {
-    hasher.add(shownLevel(v, w.session.results()))
-        .add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
+    hasher.add(shownLevel(v, w.session.results())).add(v.volumeLayer).add(v.crop);
+    hasher.add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
+    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().points.get()));
   }
   return hasher.key();
 }
@@ -62,6 +65,12 @@ void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int ra
   input.look = w.view.volumeStyle == VolumeStyle::surface ? VolumeLook::surface : VolumeLook::translucent;
   input.iso = level;
   input.transfer = amberTransfer(level);
+  if (w.view.crop) {
+    const auto [least, most] =
+        cropTo(surroundings(w.session.scan(), w.session.results()), volume->geometry, kCropMargin);
+    input.cropMin = least;
+    input.cropMax = most;
+  }
   input.raysPerPixel = static_cast<float>(raysPerPixel);
   window.raycaster->draw(input, target);
 }
@@ -76,9 +85,10 @@ void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, int sam
 }
 
 // How many pixels the picture gets, so that it is ready within the budget.
-glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, double budget) {
-  const double affordable = budget / window.secondsPerPixel;
-  const double share = std::clamp(std::sqrt(affordable / double(size.x * size.y)), 0.2, 1.0);
+glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
+  const double affordable = (moving ? kMovingBudget : kRestingBudget) / window.secondsPerPixel;
+  const double share =
+      std::clamp(std::sqrt(affordable / double(size.x * size.y)), moving ? kMovingLeast : kRestingLeast, 1.0);
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
 }
 
@@ -157,12 +167,12 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
     paneTitle(pane, "3D", kSurface, "");
     return -1;
   }
-  steer(workspace.view.camera, pane);
+  if (steer(workspace.view.camera, pane)) workspace.view.cameraMoved = true;
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   const bool moving = pane.button >= 0 || now < window.restsAt;
 
   const Key full = pictureKey(workspace, glm::ivec2(pane.size));
-  const glm::ivec2 size = pictureSize(window, pane.size, moving ? kMovingBudget : kRestingBudget);
+  const glm::ivec2 size = pictureSize(window, pane.size, moving);
   const Key wanted = Hasher("picture").add(full).add(moving ? 0 : 1).key();
   const Key inFull = Hasher("picture").add(full).add(1).key();
   if (!(window.drawn == inFull) && !(window.drawn == wanted)) {

@@ -53,6 +53,30 @@ bool segments(const char* id, std::initializer_list<const char*> names, int& cho
   return changed;
 }
 
+bool foldout(const char* title, const char* tooltip) {
+  ImGui::PushID(title);
+  bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("open"));
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0, 0.5f));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(22 * unit(), ImGui::GetStyle().FramePadding.y));
+  if (ImGui::Button(title, {-1, 0})) *open = !*open;
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+  noteWidget(std::string("foldout.") + title);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const float u = unit(), r = 3.5f * u, x = min.x + 9 * u, y = 0.5f * (min.y + max.y);
+  const ImU32 colour = ImGui::GetColorU32(kFaintText);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (*open) {
+    list.AddTriangleFilled({x - r, y - 0.6f * r}, {x + r, y - 0.6f * r}, {x, y + r}, colour);
+  } else {
+    list.AddTriangleFilled({x - 0.6f * r, y - r}, {x + r, y}, {x - 0.6f * r, y + r}, colour);
+  }
+  ImGui::PopID();
+  return *open;
+}
+
 bool mainButton(const char* title, bool enabled) {
   const DisabledIf disabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.55f));

@@ -18,6 +18,9 @@ void fact(const char* label, const std::string& value, bool warning = false);
 // segments: a row of buttons of which one is down; true when another was pressed. `enabled` false greys it.
 bool segments(const char* id, std::initializer_list<const char*> names, int& chosen);
 
+// foldout: a heading that opens and closes what follows; true while it is open.
+bool foldout(const char* title, const char* tooltip);
+
 // mainButton: a button over the whole width, in the accent's colour.
 bool mainButton(const char* title, bool enabled);
 
