@@ -1,0 +1,58 @@
+#include "app/commands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "app/workspace.h"
+
+namespace sonoskin {
+namespace {
+
+TEST(Commands, NoIdAndNoKeyTwice) {
+  std::set<std::string> ids;
+  std::set<std::string> keys;
+  for (const Command& command : commands()) {
+    EXPECT_TRUE(ids.insert(command.id).second) << command.id;
+    if (command.shortcut.key != 0) {
+      EXPECT_TRUE(keys.insert(shortcutText(command.shortcut)).second) << command.id;
+    }
+    EXPECT_TRUE(command.run != nullptr);
+  }
+}
+
+// The keys that the design promises.
+TEST(Commands, PromisedKeys) {
+  const std::pair<const char*, const char*> promised[] = {
+      {"file.open", "Ctrl+O"},   {"file.saveMesh", "Ctrl+S"},
+      {"edit.undo", "Ctrl+Z"},   {"edit.redo", "Ctrl+Shift+Z"},
+      {"view.resetCamera", "R"}, {"file.savePicture", "F12"},
+      {"help.keys", "H"},        {"surface.cancel", "Esc"}};
+  for (const auto& [id, keys] : promised) EXPECT_EQ(shortcutText(command(id).shortcut), keys) << id;
+}
+
+TEST(Commands, NothingThatNeedsAScanWithoutOne) {
+  const Workspace workspace{Parameters()};
+  for (const char* id :
+       {"file.saveMesh", "file.savePicture", "view.resetCamera", "surface.reconstruct", "edit.undo"}) {
+    EXPECT_FALSE(isEnabled(command(id), workspace)) << id;
+  }
+  EXPECT_TRUE(isEnabled(command("file.open"), workspace));
+}
+
+TEST(Commands, UndoRunsOnTheWorkspace) {
+  Workspace workspace{Parameters()};
+  Parameters changed;
+  changed.classification.alpha = 2;
+  workspace.session.edit(changed);
+  workspace.session.commitEdit();
+  command("edit.undo").run(workspace);
+  EXPECT_DOUBLE_EQ(workspace.session.parameters().classification.alpha, 1);
+  command("edit.redo").run(workspace);
+  EXPECT_DOUBLE_EQ(workspace.session.parameters().classification.alpha, 2);
+}
+
+}  // namespace
+}  // namespace sonoskin

@@ -1,0 +1,144 @@
+#include "app/session.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/timer.h"
+
+namespace sonoskin {
+namespace {
+
+namespace fs = std::filesystem;
+
+Parameters tinyPhantom() {
+  Parameters parameters;
+  parameters.phantom.dims = {78, 43, 31};
+  return parameters;
+}
+
+// wait: polls until the session rests; false after a minute.
+bool wait(Session& session) {
+  const Timer timer;
+  do {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    session.poll();
+    if (timer.seconds() > 60) return false;
+  } while (session.activity().busy);
+  session.poll();
+  return true;
+}
+
+TEST(Session, ClassifiesWhatItOpens) {
+  Session session(tinyPhantom());
+  EXPECT_FALSE(session.hasScan());
+  session.openPhantom();
+  EXPECT_TRUE(session.activity().busy);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.name(), "Phantom");
+  ASSERT_TRUE(session.results().classified);
+  EXPECT_FALSE(session.classifiedIsCoarse());
+  EXPECT_GT(session.results().isoValue, 0);
+  EXPECT_EQ(session.proposedName(".ply"), "Phantom.ply");
+}
+
+TEST(Session, UndoBringsParametersAndResultsBack) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  const auto first = session.results().classified;
+
+  Parameters changed = session.parameters();
+  for (const double beta : {1.5, 2.0, 3.0}) {  // a slider on its way
+    changed.classification.beta = beta;
+    session.edit(changed);
+  }
+  EXPECT_FALSE(session.canUndo());
+  session.commitEdit();
+  ASSERT_TRUE(wait(session));
+  ASSERT_NE(session.results().classified->data, first->data);
+
+  ASSERT_TRUE(session.canUndo());
+  session.undo();
+  EXPECT_DOUBLE_EQ(session.parameters().classification.beta, 1);
+  EXPECT_FALSE(session.canUndo());
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.results().classified->data, first->data);
+
+  session.redo();
+  EXPECT_DOUBLE_EQ(session.parameters().classification.beta, 3);
+  EXPECT_FALSE(session.canRedo());
+}
+
+TEST(Session, MeshIsCurrentUntilAParameterChanges) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  Parameters small = session.parameters();
+  small.mesh.resolution = 60;
+  small.surface.minClusterVoxels = 20;
+  session.edit(small);
+  session.commitEdit();
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.results().mesh);
+  EXPECT_TRUE(session.meshIsCurrent());
+  EXPECT_GT(session.meshArea(), 100);
+  EXPECT_EQ(session.reconstructions(), 1u);
+
+  Parameters other = small;
+  other.classification.alpha = 2;
+  session.edit(other);
+  EXPECT_FALSE(session.meshIsCurrent());
+  session.edit(small);
+  EXPECT_TRUE(session.meshIsCurrent());
+}
+
+TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {
+  Session session(tinyPhantom());
+  EXPECT_THROW(session.saveMesh("nothing.ply"), Error);
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.recipe.json";
+  Parameters changed = tinyPhantom();
+  changed.classification.gamma = 0.5;
+  session.edit(changed);
+  session.commitEdit();
+  session.saveRecipe(file);
+  ASSERT_TRUE(wait(session));
+  ASSERT_EQ(session.takeMessages().size(), 1u);
+
+  Session other{Parameters()};
+  other.loadRecipe(file);
+  EXPECT_DOUBLE_EQ(other.parameters().classification.gamma, 0.5);
+  EXPECT_TRUE(other.canUndo());
+  fs::remove(file);
+  EXPECT_THROW(other.loadRecipe(file), Error);
+}
+
+TEST(Session, TellsWhatCannotBeOpenedAndKeepsWhatItHas) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  const Key key = session.scan().key;
+  session.openFile("/nowhere/at/all.nrrd");
+  ASSERT_TRUE(wait(session));
+  const std::vector<Message> messages = session.takeMessages();
+  ASSERT_FALSE(messages.empty());
+  EXPECT_EQ(messages.back().kind, Message::Kind::failure);
+  EXPECT_EQ(session.scan().key, key);
+}
+
+TEST(Session, SpacingCanBeSet) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.setSpacing({0.5, 0.6, 0.7});
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.scan().volume->geometry.spacing, glm::dvec3(0.5, 0.6, 0.7));
+  EXPECT_EQ(session.results().classified->geometry.spacing, glm::dvec3(0.5, 0.6, 0.7));
+}
+
+}  // namespace
+}  // namespace sonoskin
