@@ -152,7 +152,7 @@ std::optional<FileChoice> drawFileDialog(FileDialog& dialog) {
     return {};
   drawPath(dialog);
   if (ImGui::Checkbox("All files", &dialog.allFiles)) dialog.enter(dialog.folder);
-  const float bottom = 2.9f * ImGui::GetFrameHeightWithSpacing();
+  const float bottom = 2.15f * ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("places", {130 * unit(), -bottom});
   drawPlaces(dialog);
   ImGui::EndChild();
