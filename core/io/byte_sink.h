@@ -25,10 +25,6 @@ class ByteSink {
   void array(const std::vector<T>& values) {
     raw(values.data(), values.size() * sizeof(T));
   }
-  void pad(std::size_t multiple, std::uint8_t with) {
-    while (bytes_.size() % multiple) bytes_.push_back(with);
-  }
-  std::size_t size() const { return bytes_.size(); }
   std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:

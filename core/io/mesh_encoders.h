@@ -1,14 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "core/mesh/mesh.h"
 
-// The bytes of mesh files. Input for all: a mesh that writeMesh has checked, world mm, LPS. All but OBJ are of known
-// size beforehand; cost O(vertices + triangles).
-// They are our own, and not a library's: each format needs a mark of unit and frame in its header, PLY and GLB carry
-// a property of ours per vertex, and the writers of assimp, the one library in Debian 12, allow neither.
+// The contents of mesh files. Input for all: a mesh that writeMesh has checked, world mm, LPS. PLY is our own code,
+// because it carries our property `visibility`; the others are assimp's work, to which we add the marks of unit,
+// frame and program that it has no place for. It leaves out triangles that use a vertex twice.
 namespace sonoskin {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -25,10 +25,11 @@ Bytes encodeObj(const Mesh& mesh);
 
 // encodeGlb: glTF 2.0 binary, metres, +Y up, front toward +Z: 0.001 (x, z, -y), a rotation; the normals are made where
 // the mesh has none; _VISIBILITY where it has one; a plain skin-like material, seen from both sides.
+//   errors   Error: more than 4 GB, which the format cannot hold
 Bytes encodeGlb(const Mesh& mesh);
 
-// encode3mf: 3MF core, mm, z up; triangles that use a vertex twice, which the standard forbids, are left out. Type
-// "model" for a closed surface, "surface" for an open one.
-Bytes encode3mf(const Mesh& mesh);
+// write3mf: 3MF core, mm, z up, six digits. Goes to a file, because assimp cannot pack a 3MF in memory.
+//   errors   Error (system): the file cannot be written
+void write3mf(const std::filesystem::path& path, const Mesh& mesh);
 
 }  // namespace sonoskin

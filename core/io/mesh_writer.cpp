@@ -16,13 +16,10 @@ namespace {
 
 struct Format {
   const char* extension;
-  Bytes (*encode)(const Mesh&);
+  Bytes (*encode)(const Mesh&);  // none: write3mf
 };
-constexpr std::array<Format, 5> kFormats{{{".ply", encodePly},
-                                          {".stl", encodeStl},
-                                          {".obj", encodeObj},
-                                          {".glb", encodeGlb},
-                                          {".3mf", encode3mf}}};
+constexpr std::array<Format, 5> kFormats{
+    {{".ply", encodePly}, {".stl", encodeStl}, {".obj", encodeObj}, {".glb", encodeGlb}, {".3mf", nullptr}}};
 
 const Format& formatOf(const std::filesystem::path& path) {
   const std::string extension = lowerExtension(path);
@@ -63,9 +60,13 @@ void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const Progre
   const Format& format = formatOf(path);
   checkWritable(mesh);
   progress.update(0);
-  const Bytes bytes = format.encode(mesh);
-  progress.update(0.5);
-  writeBytes(path, bytes.data(), bytes.size());
+  if (format.encode) {
+    const Bytes bytes = format.encode(mesh);
+    progress.update(0.5);
+    writeBytes(path, bytes.data(), bytes.size());
+  } else {
+    writeAtomically(path, [&](const std::filesystem::path& temporary) { write3mf(temporary, mesh); });
+  }
   progress.update(1);
 }
 

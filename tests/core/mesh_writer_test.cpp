@@ -20,7 +20,6 @@ using test::fileText;
 using test::icosphere;
 using test::TempFolder;
 
-// STL, OBJ, GLB and 3MF are written by us and read by assimp: two programs must agree.
 class MeshFormat : public testing::TestWithParam<const char*> {};
 
 TEST_P(MeshFormat, ComesBackAsItWas) {
@@ -30,13 +29,14 @@ TEST_P(MeshFormat, ComesBackAsItWas) {
   writeMesh(path, mesh);
   EXPECT_EQ(folder.entries(), 1);
   const Mesh read = readMesh(path);
+  const float most = path.extension() == ".3mf" ? 1e-4f : 2e-5f;  // six digits
   EXPECT_EQ(read.positions.size(), mesh.positions.size());
   ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
   // Vertices may come in another order; triangles keep theirs, and their first corners too.
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t a = mesh.triangles[t][c], b = read.triangles[t][c];
-      ASSERT_LT(glm::distance(mesh.positions[a], read.positions[b]), 2e-5f) << "triangle " << t;
+      ASSERT_LT(glm::distance(mesh.positions[a], read.positions[b]), most) << "triangle " << t;
       ASSERT_GT(glm::dot(mesh.normals[a], read.normals[b]), 0.99f) << "triangle " << t;
     }
 }
