@@ -8,10 +8,10 @@ namespace sonoskin {
 // clusters).
 struct SurfaceOptions {
   double threshold = 0.10;
-  double strongThreshold = 0.30;
-  double strongShare = 0.15;
+  double strongThreshold = 0.45;
+  double strongShare = 0.4;
   int minClusterVoxels = 200;
-  double facing = 0.1;
+  double facing = 0.3;
   double borderMargin = 4;
 };
 

@@ -63,7 +63,7 @@ TEST(Clusters, SmallAndWeakPiecesAreDropped) {
 
 TEST(Clusters, WeakVoxelsLiveOnStrongNeighbours) {
   std::vector<SurfaceVoxel> voxels;
-  for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, i < 4 ? 0.9f : 0.12f});
+  for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, i < 5 ? 0.9f : 0.12f});
   SurfaceOptions o;
   o.minClusterVoxels = 10;
   EXPECT_EQ(dropWeakClusters(voxels, kDims, o).size(), 12u);
