@@ -11,8 +11,7 @@ namespace sonoskin {
 // complete or as it was before.
 //   input   target     an ordinary file or nothing; its folder must exist
 //           write      fills the path it is given, which lies in the target's folder and keeps its extension
-//   errors  Error (system): the folder is missing or cannot be written, or the target is not an ordinary
-//   file;
+//   errors  Error (system): the folder is missing or cannot be written, or the target is not an ordinary file;
 //           whatever `write` throws. The temporary file is removed then.
 void writeAtomically(const std::filesystem::path& target,
                      const std::function<void(const std::filesystem::path& temporary)>& write);

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/io/dicom_lengths.h"
 #include "core/io/file_bytes.h"
+#include "core/io/itk_files.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -62,30 +63,6 @@ Names seriesFiles(const fs::path& path) {
   return largest;
 }
 
-std::optional<NumberType> typeOf(itk::IOComponentEnum type) {
-  using T = itk::IOComponentEnum;
-  switch (type) {
-    case T::CHAR:
-      return NumberType::int8;
-    case T::UCHAR:
-      return NumberType::uint8;
-    case T::SHORT:
-      return NumberType::int16;
-    case T::USHORT:
-      return NumberType::uint16;
-    case T::INT:
-      return NumberType::int32;
-    case T::UINT:
-      return NumberType::uint32;
-    case T::FLOAT:
-      return NumberType::float32;
-    case T::DOUBLE:
-      return NumberType::float64;
-    default:
-      return {};
-  }
-}
-
 // One file: its geometry and, when asked for, its pixels.
 class Slice {
  public:
@@ -93,20 +70,8 @@ class Slice {
     checkDicomLengths(path);
     io_->SetFileName(path.string());
     guarded([&] { io_->ReadImageInformation(); });
-    const auto type = typeOf(io_->GetComponentType());
-    require(type.has_value(), "{} has pixels of a type that is not known here.", path.string());
-    stored_.type = *type;
+    stored_ = describedBy(*io_, path);
     stored_.format = "DICOM series";
-    stored_.components = int(io_->GetNumberOfComponents());
-    for (unsigned a = 0; a < 3; ++a) {
-      const bool given = a < io_->GetNumberOfDimensions();
-      stored_.geometry.dims[int(a)] = given ? int(std::min<std::size_t>(io_->GetDimensions(a), 1u << 20)) : 1;
-      if (!given) continue;
-      stored_.geometry.spacing[int(a)] = io_->GetSpacing(a);
-      stored_.geometry.origin[int(a)] = io_->GetOrigin(a);
-      const std::vector<double> axis = io_->GetDirection(a);
-      stored_.geometry.direction[int(a)] = {axis[0], axis[1], axis[2]};
-    }
     stored_.spacingKnown = has("0028|0030") || has("0018|1164") || has("0018|2010");
   }
 
@@ -165,9 +130,9 @@ void checkBytes(std::uintmax_t all, std::uintmax_t inFiles, const fs::path& path
           path.string());
 }
 
-StoredSeries readSlices(const Names& names, const fs::path& path, const Progress& progress) {
+LoadedVolume readSlices(const Names& names, const fs::path& path, const Progress& progress) {
   Slice first(names.front());
-  StoredSeries series;
+  LoadedVolume series;
   series.stored = first.stored();
   Geometry& g = series.stored.geometry;
   require(g.dims.z == 1, "The series in {} has several volumes; choose one of its files.", path.string());
@@ -192,9 +157,9 @@ StoredSeries readSlices(const Names& names, const fs::path& path, const Progress
   return series;
 }
 
-StoredSeries readFrames(const fs::path& path, const Progress& progress) {
+LoadedVolume readFrames(const fs::path& path, const Progress& progress) {
   Slice file(path);
-  StoredSeries series;
+  LoadedVolume series;
   series.stored = file.stored();
   series.stored.format = "DICOM";
   // A distance of exactly 1 is what the library says when the file gives none.
@@ -214,7 +179,7 @@ bool isDicom(const fs::path& path) {
   return bytes.size() == 132 && !std::memcmp(bytes.data() + 128, "DICM", 4);
 }
 
-StoredSeries readDicomSeries(const fs::path& path, const Progress& progress) {
+LoadedVolume readDicomSeries(const fs::path& path, const Progress& progress) {
   silenceLibraries();
   if (!fs::is_directory(path)) {
     refuseMakersFormats(path);

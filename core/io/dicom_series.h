@@ -9,24 +9,15 @@
 
 namespace sonoskin {
 
-// StoredSeries: a volume that lies in many files, and its numbers in this machine's byte order.
-struct StoredSeries {
-  StoredVolume stored;
-  std::vector<std::uint8_t> numbers;
-  std::uintmax_t bytes = 0;  // of the files
-};
-
 // isDicom: whether a file begins as DICOM files do.
 bool isDicom(const std::filesystem::path& path);
 
 // readDicomSeries: reads the slices of a series, sorted by their positions along their common normal.
 //   input   path  a folder: its largest series; a file: the series that it belongs to, or its own frames
-//   output  numbers after the file's rescale slope and intercept; spacing along k is the distance between
-//   positions errors  Error: no series, slices of different sizes, missing slices (distances that differ by a
-//   tenth), an element
-//           that is longer than its file, a file that holds no pixels or needs the maker's own reader;
-//           Cancelled
+//   output  numbers after the file's rescale slope and intercept; spacing along k is the distance between positions
+//   errors  Error: no series, slices of different sizes, missing slices (distances that differ by a tenth), an element
+//           that is longer than its file, a file that holds no pixels or needs the maker's own reader; Cancelled
 // No text element is kept.
-StoredSeries readDicomSeries(const std::filesystem::path& path, const Progress& progress = {});
+LoadedVolume readDicomSeries(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace sonoskin

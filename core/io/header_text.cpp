@@ -48,12 +48,19 @@ std::vector<std::string_view> words(std::string_view text) {
   return found;
 }
 
+bool isFinite(std::string_view text) {
+  const auto number = parseNumber<double>(text);
+  return number && std::isfinite(*number);
+}
+
 std::optional<std::string_view> HeaderLines::next() {
   if (at_ >= text_.size()) return {};
   const std::size_t end = std::min(text_.find('\n', at_), text_.size());
   std::string_view line = text_.substr(at_, end - at_);
   if (line.ends_with('\r')) line.remove_suffix(1);
   at_ = std::min(end + 1, text_.size());
+  require(std::none_of(line.begin(), line.end(), [](unsigned char c) { return c < ' ' && c != '\t'; }),
+          "The header of {} is not text; get a fresh copy.", path_.string());
   return line;
 }
 

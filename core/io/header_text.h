@@ -31,6 +31,9 @@ std::optional<T> parseNumber(std::string_view text) {
   return value;
 }
 
+// isFinite: whether the whole text is one finite number.
+bool isFinite(std::string_view text);
+
 // parseNumbers: every word as a number, or nothing if one is not.
 template <class T>
 std::optional<std::vector<T>> parseNumbers(std::string_view text) {
@@ -46,13 +49,15 @@ std::optional<std::vector<T>> parseNumbers(std::string_view text) {
 // HeaderLines: gives the lines of a header one by one.
 class HeaderLines {
  public:
-  explicit HeaderLines(std::string_view text) : text_(text) {}
+  HeaderLines(std::string_view text, const std::filesystem::path& path) : text_(text), path_(path) {}
   // next: the next line without its end ("\n" or "\r\n"); nothing at the end of the text.
+  //   errors   Error: it holds control characters, at which other readers may end a line
   std::optional<std::string_view> next();
   std::size_t position() const { return at_; }  // of the line after the last one given
 
  private:
   std::string_view text_;
+  const std::filesystem::path& path_;
   std::size_t at_ = 0;
 };
 

@@ -27,7 +27,7 @@ Volume<float> values(const StoredVolume& stored, const std::uint8_t* numbers, co
         const auto number = [&](std::size_t n) {
           T t;
           std::memcpy(&t, numbers + n * sizeof(T), sizeof(T));
-          return stored.slope * double(t) + stored.intercept;
+          return double(t);
         };
         for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v) {
           double value = number(v * stride);
@@ -42,7 +42,6 @@ Volume<float> values(const StoredVolume& stored, const std::uint8_t* numbers, co
 }
 
 Volume<float> valuesOf(const StoredVolume& s, const std::uint8_t* n, const Progress& progress) {
-  if (s.encoding == Encoding::text) return values<double>(s, n, progress);
   switch (s.type) {
     case NumberType::int8:
       return values<std::int8_t>(s, n, progress);
@@ -99,8 +98,7 @@ std::pair<double, double> unitRange(const StoredVolume& stored, const Normalised
   std::pair<double, double> range;
   if (stored.type == NumberType::uint8 || stored.type == NumberType::int8) {
     const double least = stored.type == NumberType::uint8 ? 0 : -128;
-    range = std::minmax(
-        {stored.slope * least + stored.intercept, stored.slope * (least + 255) + stored.intercept});
+    range = {least, least + 255};
   } else {
     range = percentiles(n.volume.data);
     if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};

@@ -97,7 +97,7 @@ bool addLine(const std::vector<std::string_view>& line, Header& header) {
 
 Header parseHeader(std::string_view text, const fs::path& path) {
   Header header;
-  HeaderLines lines(text);
+  HeaderLines lines(text, path);
   const auto magic = lines.next();
   if (!magic || trimmed(*magic) != "ply") failHeader(path);
   while (const auto line = lines.next()) {

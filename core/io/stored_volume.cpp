@@ -1,28 +1,16 @@
 #include "core/io/stored_volume.h"
 
-#include <zlib.h>
-
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <fstream>
+#include <map>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
-#include "core/io/header_text.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-static_assert(std::endian::native == std::endian::little,
-              "big-endian files are turned round, others are not");
-
 constexpr std::uint64_t kMaxVoxels = std::uint64_t(1) << 31;
-constexpr std::uintmax_t kDeflateRatio = 1032;  // the most that deflate can gain (zlib.net/zlib_tech.html)
-constexpr std::size_t kChunk = 1u << 20;
 
 struct TypeFacts {
   std::string_view name;
@@ -40,11 +28,6 @@ constexpr std::array<TypeFacts, 10> kTypes{{{"int8", 1},
                                             {"float64", 8}}};
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-[[noreturn]] void failTruncated(const fs::path& path) {
-  throw Error(fmt::format("{} ends before all of its voxels; the copy is incomplete, get a fresh one.",
-                          path.string()));
-}
 
 // Gram-Schmidt, for axes that are at right angles within what a header's decimals can say.
 void orthonormalise(Geometry& g, const fs::path& path) {
@@ -74,128 +57,24 @@ void checkDims(const glm::ivec3& dims, const fs::path& path) {
           dims.x, dims.y, dims.z);
 }
 
-// All time steps, in unpacked bytes (text: numbers of at least one digit and one blank). At most 2^31 * 65535
-// * 2^16.
-void checkBytes(const StoredVolume& stored, const fs::path& path) {
-  const std::uintmax_t size = fileSize(stored.dataFile);
-  if (stored.fileOffset >= size) failTruncated(path);
-  const std::uintmax_t left = size - stored.fileOffset;
-  const std::uintmax_t numbers = std::uintmax_t(stored.geometry.voxels()) * std::uintmax_t(stored.components);
-  std::uintmax_t all = 0, available = left;
-  if (__builtin_mul_overflow(numbers, std::uintmax_t(stored.timeSteps), &all)) failTruncated(path);
-  if (stored.encoding == Encoding::text) {
-    available = left / 2 + 1;
-  } else {
-    if (__builtin_mul_overflow(all, numberTypeBytes(stored.type), &all)) failTruncated(path);
-    if (stored.encoding == Encoding::deflate) {
-      available = left * kDeflateRatio;
-      if (stored.streamOffset > available) failTruncated(path);
-      available -= stored.streamOffset;
-    }
-  }
-  if (all > available) failTruncated(path);
-}
-
-// Unpacks a stream from `offset` on, skipping `skip` bytes of its content. Returns the bytes written to
-// `out`.
-class Inflater {
- public:
-  Inflater(const fs::path& path, std::uintmax_t offset)
-      : path_(path), file_(path, std::ios::binary), in_(kChunk) {
-    require(bool(file_), "The file {} cannot be read; check its permissions.", path.string());
-    file_.seekg(std::streamoff(offset));
-    // 15 bits of window, and 32: find out whether the stream is of zlib or of gzip.
-    if (inflateInit2(&stream_, 15 + 32) != Z_OK) throw std::bad_alloc();
-  }
-  ~Inflater() { inflateEnd(&stream_); }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-
-  // read: fills `out` with up to `bytes` (at most kChunk); less only at the end of the stream.
-  std::size_t read(std::uint8_t* out, std::size_t bytes) {
-    stream_.next_out = out;
-    stream_.avail_out = uInt(bytes);
-    while (stream_.avail_out > 0 && refill()) {
-      const int code = ::inflate(&stream_, Z_NO_FLUSH);
-      if (code == Z_STREAM_END) {
-        inflateReset(&stream_);  // gzip files may be several streams, one after another
-        continue;
-      }
-      require(code == Z_OK || code == Z_BUF_ERROR, "The packed data in {} are damaged; get a fresh copy.",
-              path_.string());
-    }
-    return bytes - stream_.avail_out;
-  }
-
- private:
-  bool refill() {
-    if (stream_.avail_in > 0) return true;
-    file_.read(reinterpret_cast<char*>(in_.data()), std::streamsize(in_.size()));
-    stream_.next_in = in_.data();
-    stream_.avail_in = uInt(file_.gcount());
-    return stream_.avail_in > 0;
-  }
-
-  fs::path path_;
-  std::ifstream file_;
-  std::vector<std::uint8_t> in_;
-  z_stream stream_{};
-};
-
-void readDeflate(const StoredVolume& stored, std::vector<std::uint8_t>& bytes, const Progress& progress) {
-  Inflater inflater(stored.dataFile, stored.fileOffset);
-  std::vector<std::uint8_t> skipped(kChunk);
-  for (std::uintmax_t left = stored.streamOffset; left > 0;) {
-    const std::size_t step = std::size_t(std::min<std::uintmax_t>(left, kChunk));
-    if (inflater.read(skipped.data(), step) < step) failTruncated(stored.dataFile);
-    left -= step;
-    progress.throwIfCancelled();
-  }
-  for (std::size_t done = 0; done < bytes.size();) {
-    const std::size_t step = std::min(bytes.size() - done, kChunk);
-    if (inflater.read(bytes.data() + done, step) < step) failTruncated(stored.dataFile);
-    done += step;
-    progress.update(double(done) / double(bytes.size()));
-  }
-}
-
-void readRaw(const StoredVolume& stored, std::vector<std::uint8_t>& bytes, const Progress& progress) {
-  std::ifstream file(stored.dataFile, std::ios::binary);
-  file.seekg(std::streamoff(stored.fileOffset));
-  for (std::size_t done = 0; done < bytes.size();) {
-    const std::size_t step = std::min(bytes.size() - done, 16 * kChunk);
-    file.read(reinterpret_cast<char*>(bytes.data() + done), std::streamsize(step));
-    if (!file) failTruncated(stored.dataFile);
-    done += step;
-    progress.update(double(done) / double(bytes.size()));
-  }
-}
-
-// Text becomes float64: StoredVolume::type is then what the reader of the numbers must take.
-void readText(const StoredVolume& stored, std::vector<std::uint8_t>& bytes, const Progress& progress) {
-  std::ifstream file(stored.dataFile, std::ios::binary);
-  file.seekg(std::streamoff(stored.fileOffset));
-  const std::size_t count = bytes.size() / sizeof(double);
-  std::string word;
-  for (std::size_t n = 0; n < count; ++n) {
-    if (!(file >> word)) failTruncated(stored.dataFile);
-    const auto value = parseNumber<double>(word);
-    require(value.has_value(), "The voxels in {} are not all numbers; get a fresh copy.",
-            stored.dataFile.string());
-    std::memcpy(bytes.data() + n * sizeof(double), &*value, sizeof(double));
-    if (n % kChunk == 0) progress.update(double(n) / double(count));
-  }
-}
-
-void swapBytes(std::vector<std::uint8_t>& bytes, std::size_t size) {
-  for (std::size_t at = 0; at + size <= bytes.size(); at += size)
-    std::reverse(bytes.data() + at, bytes.data() + at + size);
-}
-
 }  // namespace
 
 std::string_view numberTypeName(NumberType type) { return kTypes[std::size_t(type)].name; }
 std::size_t numberTypeBytes(NumberType type) { return kTypes[std::size_t(type)].bytes; }
+
+std::optional<NumberType> numberTypeOf(std::string_view name) {
+  static const std::map<std::string_view, NumberType> types{
+      {"char", NumberType::int8},          {"unsigned_char", NumberType::uint8},
+      {"short", NumberType::int16},        {"unsigned_short", NumberType::uint16},
+      {"int", NumberType::int32},          {"unsigned_int", NumberType::uint32},
+      {"long", NumberType::int64},         {"unsigned_long", NumberType::uint64},
+      {"long_long", NumberType::int64},    {"unsigned_long_long", NumberType::uint64},
+      {"vtktypeint64", NumberType::int64}, {"vtktypeuint64", NumberType::uint64},
+      {"float", NumberType::float32},      {"double", NumberType::float64}};
+  const auto found = types.find(name);
+  if (found == types.end()) return {};
+  return found->second;
+}
 
 void checkGeometry(StoredVolume& stored, const fs::path& path) {
   Geometry& g = stored.geometry;
@@ -213,36 +92,6 @@ void checkGeometry(StoredVolume& stored, const fs::path& path) {
   require(stored.components == 1 || stored.components == 3 || stored.components == 4 || stored.timeIsFastest,
           "{} has {} numbers per voxel; a volume has one, or three or four of colour.", path.string(),
           stored.components);
-}
-
-void checkStored(StoredVolume& stored, const fs::path& path) {
-  checkGeometry(stored, path);
-  checkBytes(stored, path);
-}
-
-std::vector<std::uint8_t> readNumbers(const StoredVolume& stored, const Progress& progress) {
-  progress.update(0);
-  const std::size_t size = stored.encoding == Encoding::text ? sizeof(double) : numberTypeBytes(stored.type);
-  std::vector<std::uint8_t> bytes(stored.geometry.voxels() * std::size_t(stored.components) * size);
-  switch (stored.encoding) {
-    case Encoding::raw:
-      readRaw(stored, bytes, progress);
-      break;
-    case Encoding::deflate:
-      readDeflate(stored, bytes, progress);
-      break;
-    case Encoding::text:
-      readText(stored, bytes, progress);
-      break;
-  }
-  if (stored.bigEndian && stored.encoding != Encoding::text && size > 1) swapBytes(bytes, size);
-  return bytes;
-}
-
-std::vector<std::uint8_t> inflateStart(const fs::path& path, std::size_t bytes) {
-  std::vector<std::uint8_t> start(bytes);
-  start.resize(Inflater(path, 0).read(start.data(), bytes));
-  return start;
 }
 
 }  // namespace sonoskin

@@ -1,55 +1,59 @@
 #include "core/io/volume_reader.h"
 
-#include <array>
 #include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
+#include "core/io/itk_files.h"
 #include "core/io/normalise.h"
-#include "core/io/stored_volume.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-// A volume as it lies in its file or files, and its numbers.
-struct Loaded {
-  StoredVolume stored;
-  std::vector<std::uint8_t> numbers;
-  std::uintmax_t bytes = 0;
-};
-
 bool startsWith(const std::vector<std::uint8_t>& bytes, std::string_view magic) {
   return bytes.size() >= magic.size() && !std::memcmp(bytes.data(), magic.data(), magic.size());
 }
 
-StoredVolume readHeader(const fs::path& path) {
+VolumeFormat formatOf(const fs::path& path) {
   const std::vector<std::uint8_t> start = readBytes(path, 132);
   const std::string extension = lowerExtension(path);
-  if (startsWith(start, "NRRD")) return readNrrdHeader(path);
-  if (startsWith(start, "# vtk DataFile")) return readVtkHeader(path);
-  if (extension == ".mha" || extension == ".mhd") return readMetaHeader(path);
-  if (extension == ".nii" || extension == ".nii.gz") return readNiftiHeader(path);
+  if (startsWith(start, "NRRD")) return VolumeFormat::nrrd;
+  if (startsWith(start, "# vtk DataFile")) return VolumeFormat::vtk;
+  if (extension == ".mha" || extension == ".mhd") return VolumeFormat::meta;
+  if (extension == ".nii" || extension == ".nii.gz") return VolumeFormat::nifti;
   require(!startsWith(start, "KRETZFILE"),
           "{} is a GE Kretz file, which is not read yet; export it as NRRD with 3D Slicer.", path.string());
   throw Error(
       fmt::format("The format of {} is not known; use NRRD, MetaImage, NIfTI, VTK or DICOM.", path.string()));
 }
 
-Loaded load(const fs::path& path, const Progress& progress) {
-  Loaded loaded;
-  if (fs::is_directory(path) || isDicom(path)) {
-    StoredSeries series = readDicomSeries(path, progress);
-    checkGeometry(series.stored, path);
-    return {std::move(series.stored), std::move(series.numbers), series.bytes};
+DeclaredData declaredData(VolumeFormat format, const fs::path& path) {
+  switch (format) {
+    case VolumeFormat::nrrd:
+      return nrrdData(path);
+    case VolumeFormat::meta:
+      return metaData(path);
+    case VolumeFormat::nifti:
+      return niftiData(path);
+    case VolumeFormat::vtk:
+      return vtkData(path);
   }
-  loaded.stored = readHeader(path);
-  checkStored(loaded.stored, path);
-  loaded.bytes = fileSize(path) + (loaded.stored.dataFile == path ? 0 : fileSize(loaded.stored.dataFile));
-  loaded.numbers = readNumbers(loaded.stored, progress);
-  return loaded;
+  return {};
+}
+
+LoadedVolume load(const fs::path& path, const Progress& progress) {
+  if (fs::is_directory(path) || isDicom(path)) {
+    LoadedVolume series = readDicomSeries(path, progress);
+    checkGeometry(series.stored, path);
+    return series;
+  }
+  const VolumeFormat format = formatOf(path);
+  const DeclaredData data = declaredData(format, path);
+  checkData(data, path);
+  return readWithItk(format, path, data, progress);
 }
 
 int timeStepsOf(const StoredVolume& stored) {
@@ -59,7 +63,7 @@ int timeStepsOf(const StoredVolume& stored) {
 }  // namespace
 
 Scan readScan(const fs::path& path, const Progress& progress) {
-  const Loaded loaded = load(path, progress.part(0, 0.6));
+  const LoadedVolume loaded = load(path, progress.part(0, 0.6));
   NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1));
   Scan scan;
   scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));
@@ -76,7 +80,7 @@ Scan readScan(const fs::path& path, const Progress& progress) {
 }
 
 VolumeInfo readVolumeInfo(const fs::path& path, const Progress& progress) {
-  const Loaded loaded = load(path, progress.part(0, 0.6));
+  const LoadedVolume loaded = load(path, progress.part(0, 0.6));
   const NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1));
   VolumeInfo info;
   info.format = loaded.stored.format;

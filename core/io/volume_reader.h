@@ -9,16 +9,13 @@
 
 namespace sonoskin {
 
-// readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz), VTK
-// legacy
+// readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI-1 (.nii, .nii.gz), VTK legacy
 // (.vtk), or a DICOM series (its folder or one of its files; the largest series of several).
-//   output  intensities in [0, 1] (core/io/normalise.h tells how); world mm, LPS; of several time steps the
-//   first.
+//   output  intensities in [0, 1] (core/io/normalise.h tells how); world mm, LPS; of several time steps the first.
 //           spacingKnown is false where the file gives none: the caller must say so
-//   errors  Error: no such file, an unknown format, a file that is damaged, incomplete, flat or too large,
-//   each in one
+//   errors  Error: no such file, an unknown format, a file that is damaged, incomplete, flat or too large, each in one
 //           sentence; Cancelled
-//   cost    packed files 150 MB/s and more; five bytes of memory for one of an 8-bit file
+//   cost    packed files 100 MB/s and more; six bytes of memory for one of an 8-bit file, all time steps
 // Files are not trusted: every size is checked against the bytes that are there before memory is taken for
 // it. Nothing that could name a patient is kept.
 Scan readScan(const std::filesystem::path& path, const Progress& progress = {});

@@ -80,7 +80,14 @@ TEST(WriteMesh, GlbStandsUprightInMetres) {
   const auto& position = json["accessors"][0];
   EXPECT_NEAR(position["max"][1].get<double>(), 3.1, 0.01);
   EXPECT_NEAR(position["max"][2].get<double>(), 0.098, 0.01);
-  EXPECT_TRUE(json["meshes"][0]["primitives"][0]["attributes"].contains("_VISIBILITY"));
+  const auto& visibility =
+      json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["_VISIBILITY"].get<int>()];
+  EXPECT_EQ(visibility["type"], "SCALAR");
+  const auto& view = json["bufferViews"][visibility["bufferView"].get<int>()];
+  const std::size_t last = view["byteOffset"].get<std::size_t>() + 41 * view["byteStride"].get<std::size_t>();
+  float value = 0;
+  std::memcpy(&value, bytes.data() + 28 + head[3] + last, sizeof value);
+  EXPECT_EQ(value, 0.5f);
   EXPECT_EQ(json["buffers"][0]["byteLength"].get<std::size_t>() + 28 + head[3], bytes.size());
 }
 

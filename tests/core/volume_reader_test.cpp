@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -128,6 +129,35 @@ TEST(ReadScan, TakesTheFirstTimeStepAndTheLuminanceOfColour) {
   expectError([&] { readScan(field); }, "2 numbers per voxel");
 }
 
+// A NIfTI without packing, of a volume that ITK has written.
+std::string plainNifti(const TempFolder& folder, const Volume<std::uint8_t>& volume) {
+  writeVolume(folder / "plain.nii.gz", volume);
+  std::string bytes(352 + volume.data.size(), '\0');
+  const gzFile file = gzopen((folder / "plain.nii.gz").c_str(), "rb");
+  gzread(file, bytes.data(), unsigned(bytes.size()));
+  gzclose(file);
+  return bytes;
+}
+
+TEST(ReadScan, NiftiIsTurnedFromRasAndScaled) {
+  const TempFolder folder;
+  const auto volume =
+      test::filledVolume<std::uint8_t>(Geometry{{4, 3, 2}, {1, 2, 3}, {5, 6, 7}, glm::dmat3(1)});
+  std::string bytes = plainNifti(folder, volume);
+  float offset[3];  // the quaternion's, in RAS
+  std::memcpy(offset, bytes.data() + 268, sizeof offset);
+  EXPECT_EQ(glm::vec3(offset[0], offset[1], offset[2]), glm::vec3(-5, -6, 7));
+  const float slope = 2, intercept = -10;
+  std::memcpy(bytes.data() + 112, &slope, sizeof slope);
+  std::memcpy(bytes.data() + 116, &intercept, sizeof intercept);
+  const auto path = folder.write("scaled.nii", bytes);
+  const auto [least, most] = std::minmax_element(volume.data.begin(), volume.data.end());
+  const VolumeInfo info = readVolumeInfo(path);
+  EXPECT_EQ(info.valueMin, 2.0 * *least - 10);
+  EXPECT_EQ(info.valueMax, 2.0 * *most - 10);
+  EXPECT_LT(glm::distance(info.geometry.toWorld({0, 0, 0}), glm::dvec3(5, 6, 7)), 1e-6);
+}
+
 TEST(ReadScan, ReadsDetachedHeadersOfTheSameFolderOnly) {
   const TempFolder folder;
   folder.write("a.raw", k24);
@@ -175,12 +205,36 @@ TEST(ReadScan, RefusesGeometryThatMakesNoSense) {
   expectError(with("Offset = 0 inf 0"), "origin");
   expectError(with("TransformMatrix = 1 0 0 1 1 0 0 0 1"), "right angles");
   expectError(with("TransformMatrix = 0 0 0 0 0 0 0 0 0"), "right angles");
-  expectError(with("TransformMatrix = nan 0 0 0 1 0 0 0 1"), "not finite");
+  expectError(with("TransformMatrix = nan 0 0 0 1 0 0 0 1"), "finite");
   expectError(
       [&] {
         readScan(folder.write("a.nrrd", nrrd("uint8", "space directions: (1,0,0) (0,0,0) (0,0,1)\n", k24)));
       },
       "");
+}
+
+// Each of these makes the parsers of ITK 5.2 write beyond their arrays, or read what the header does not say.
+TEST(ReadScan, KeepsFromItkWhatItCannotBear) {
+  const TempFolder folder;
+  const auto meta = [&](const std::string& more) {
+    return [&folder, more] { readScan(folder.write("a.mha", mha("2 3 4", more, k24))); };
+  };
+  expectError(meta("Comment = " + std::string(5000, 'x') + "\n"), "too long");
+  expectError(meta("AnatomicalOrientation = RAIRAIRAIRAI\n"), "one letter per axis");
+  expectError(meta("NDims = 10\n"), "there twice");
+  expectError(meta("NDims : 10 = 10\n"), "not known here");
+  expectError(meta("Name = a\rNDims = 10\n"), "not text");
+  expectError(meta("CenterOfRotation = 1 2\n"), "3 finite numbers");
+  expectError(meta("CompressedData = True\n"), "how many bytes");
+  expectError(meta("CompressedData = True\nCompressedDataSize = 99999\n"), "ends before");
+  expectError(meta("BinaryData = False\n"), "ends before");
+  const auto nrrds = [&](const std::string& more) {
+    return [&folder, more] { readScan(folder.write("a.nrrd", nrrd("uint8", more, k24))); };
+  };
+  expectError(nrrds("space dimension: 8\nspace origin: (1,2,3,4,5,6,7,8)\n"), "three dimensions");
+  expectError(nrrds("space: 3D-right-handed-time\n"), "three dimensions");
+  expectError(nrrds("dimension: 16\n"), "twice");
+  expectError(nrrds("# a\rdimension: 16\n"), "not text");
 }
 
 TEST(ReadScan, RefusesHugeHeadersAtOnce) {
@@ -235,6 +289,38 @@ TEST(ReadScan, StopsWhenCancelled) {
   EXPECT_THROW(readScan(path, Progress(sink)), Cancelled);
 }
 
+// The same with headers alone, which no checksum protects.
+TEST(ReadScan, SurvivesDamagedHeaders) {
+  const TempFolder folder;
+  std::mt19937 random(20251122);
+  const std::string place = "space: left-posterior-superior\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n";
+  const std::string more =
+      "BinaryData = True\nOffset = 1 2 3\nElementSpacing = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n";
+  const std::string letters = "0123456789 -.:=,()\n\rabcdefNDimSize";
+  int read = 0;
+  setThreadCount(1);
+  for (const auto& [name, good] : {std::pair<std::string, std::string>{"a.nrrd", nrrd("uint8", place, k24)},
+                                   {"a.mha", mha("2 3 4", more, k24)}})
+    for (int round = 0; round < 300; ++round) {
+      std::string bytes = good;
+      const auto flips = 1 + random() % 3;
+      for (unsigned f = 0; f < flips; ++f) {
+        const std::size_t at = random() % (bytes.size() - 24);
+        if (random() % 2)
+          bytes[at] = letters[random() % letters.size()];
+        else
+          bytes.insert(at, bytes.substr(random() % (bytes.size() - 24), random() % 30));
+      }
+      try {
+        readScan(folder.write(name, bytes));
+        ++read;
+      } catch (const Error&) {
+      }
+    }
+  setThreadCount(0);
+  EXPECT_GT(read, 20);
+}
+
 // Whatever bytes a file has: a volume, or one Error; no crash, no other exception, no long wait.
 TEST(ReadScan, SurvivesRandomDamage) {
   const TempFolder folder;
@@ -245,12 +331,7 @@ TEST(ReadScan, SurvivesRandomDamage) {
   for (const std::string extension : {".nrrd", ".mha", ".nii.gz", ".nii", ".vtk"}) {
     std::string good;
     if (extension == ".nii") {
-      writeVolume(folder / "a.nii.gz", volume);
-      const std::string packed = fileText(folder / "a.nii.gz");
-      good.resize(352 + 24);
-      const gzFile file = gzopen((folder / "a.nii.gz").c_str(), "rb");
-      gzread(file, good.data(), unsigned(good.size()));
-      gzclose(file);
+      good = plainNifti(folder, volume);
     } else {
       writeVolume(folder / ("a" + extension), volume);
       good = fileText(folder / ("a" + extension));
@@ -270,7 +351,7 @@ TEST(ReadScan, SurvivesRandomDamage) {
   }
   setThreadCount(0);
   EXPECT_GT(refused, 100);
-  EXPECT_GT(read, 100);
+  EXPECT_GT(read, 50);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ using test::geometryDistance;
 using test::TempFolder;
 using test::turnedGeometry;
 
-// The files are written by ITK and read by our own parsers: two programs must agree on every axis.
+// Both ways are ITK's: what is tested here is that nothing gets lost between its world and ours. Files that it has not
+// written are in volume_reader_test.cpp.
 class VolumeFormat : public testing::TestWithParam<const char*> {
  protected:
   Geometry geometry(bool mirrored) const {

@@ -1,0 +1,179 @@
+#include "core/io/itk_files.h"
+
+#include <itkMetaDataObject.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+#include <itkVTKImageIO.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/header_text.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+itk::ImageIOBase::Pointer makeIo(VolumeFormat format) {
+  itk::Object::GlobalWarningDisplayOff();  // warnings may quote the file, and would go to the terminal
+  switch (format) {
+    case VolumeFormat::nrrd:
+      return itk::NrrdImageIO::New().GetPointer();
+    case VolumeFormat::meta:
+      return itk::MetaImageIO::New().GetPointer();
+    case VolumeFormat::nifti:
+      return itk::NiftiImageIO::New().GetPointer();
+    case VolumeFormat::vtk:
+      return itk::VTKImageIO::New().GetPointer();
+  }
+  return {};
+}
+
+const char* nameOf(VolumeFormat format) {
+  constexpr const char* kNames[] = {"NRRD", "MetaImage", "NIfTI", "VTK"};
+  return kNames[int(format)];
+}
+
+itk::ImageIORegion wholeRegion(const itk::ImageIOBase& io) {
+  itk::ImageIORegion region(io.GetNumberOfDimensions());
+  for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));
+  return region;
+}
+
+// Calls ITK; its own words may quote the file, so they are not passed on.
+template <class Call>
+void guarded(const fs::path& path, Call&& call) {
+  try {
+    call();
+  } catch (const std::exception&) {
+    throw Error(fmt::format(
+        "{} holds no voxels that can be read; the copy is damaged or of a kind that is not known here.",
+        path.string()));
+  }
+}
+
+// The keys of ours that ITK has found.
+HeaderKeys ownKeys(const itk::ImageIOBase& io) {
+  HeaderKeys keys;
+  std::string value;
+  for (const char* key : {kBeamAxisKey, kBeamUpKey, kBeamApexKey, kRangeKey})
+    if (itk::ExposeMetaData(io.GetMetaDataDictionary(), key, value)) keys[key] = value;
+  return keys;
+}
+
+StoredVolume describe(const itk::ImageIOBase& io, VolumeFormat format, const DeclaredData& data,
+                      const fs::path& path) {
+  StoredVolume stored = describedBy(io, path);
+  stored.format = nameOf(format);
+  stored.spacingKnown = data.spacingKnown;
+  stored.timeSteps = io.GetNumberOfDimensions() == 4 ? int(io.GetDimensions(3)) : 1;
+  stored.timeIsFastest = data.timeAxis >= 0;
+  const HeaderKeys keys = ownKeys(io);
+  stored.beam = beamFromKeys(keys);
+  stored.unitRange = rangeFromKeys(keys);
+  // A NIfTI with a slope is read as float.
+  const bool agree = io.GetNumberOfDimensions() <= 4 &&
+                     std::uint64_t(io.GetImageSizeInComponents()) == numbersIn(data) &&
+                     (format == VolumeFormat::nifti || io.GetComponentSize() == data.bytesPerNumber);
+  require(agree, "{} has a header that contradicts itself; get a fresh copy.", path.string());
+  return stored;
+}
+
+void setGeometry(itk::ImageIOBase& io, const Geometry& g) {
+  io.SetNumberOfDimensions(3);
+  for (unsigned a = 0; a < 3; ++a) {
+    const glm::dvec3 axis = g.direction[int(a)];
+    io.SetDimensions(a, std::size_t(g.dims[int(a)]));
+    io.SetSpacing(a, g.spacing[int(a)]);
+    io.SetOrigin(a, g.origin[int(a)]);
+    io.SetDirection(a, std::vector<double>{axis.x, axis.y, axis.z});
+  }
+  io.SetIORegion(wholeRegion(io));
+}
+
+std::string text(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+
+void setKeys(itk::ImageIOBase& io, const StoredVolume& stored) {
+  itk::MetaDataDictionary keys;
+  const auto& range = stored.unitRange;
+  const auto& beam = stored.beam;
+  if (range)
+    itk::EncapsulateMetaData<std::string>(keys, kRangeKey, fmt::format("{} {}", range->first, range->second));
+  if (beam) itk::EncapsulateMetaData<std::string>(keys, kBeamAxisKey, text(beam->axis));
+  if (beam) itk::EncapsulateMetaData<std::string>(keys, kBeamUpKey, text(beam->up));
+  if (beam && beam->apex) itk::EncapsulateMetaData<std::string>(keys, kBeamApexKey, text(*beam->apex));
+  io.SetMetaDataDictionary(keys);
+}
+
+}  // namespace
+
+StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
+  StoredVolume stored;
+  const auto type = numberTypeOf(itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType()));
+  require(type.has_value(), "{} has numbers of a type that is not known here.", path.string());
+  stored.type = *type;
+  stored.components = int(io.GetNumberOfComponents());
+  Geometry& g = stored.geometry;
+  for (unsigned a = 0; a < 3; ++a) {
+    const bool given = a < io.GetNumberOfDimensions();
+    g.dims[int(a)] = given ? int(std::min<std::size_t>(io.GetDimensions(a), 1u << 20)) : 1;
+    if (!given) continue;
+    g.spacing[int(a)] = io.GetSpacing(a);
+    g.origin[int(a)] = io.GetOrigin(a);
+    const std::vector<double> axis = io.GetDirection(a);
+    for (std::size_t r = 0; r < std::min<std::size_t>(axis.size(), 3); ++r)
+      g.direction[int(a)][int(r)] = axis[r];
+  }
+  return stored;
+}
+
+LoadedVolume readWithItk(VolumeFormat format, const fs::path& path, const DeclaredData& data,
+                         const Progress& progress) {
+  progress.update(0);
+  const itk::ImageIOBase::Pointer io = makeIo(format);
+  LoadedVolume loaded;
+  io->SetFileName(path.string());
+  guarded(path, [&] { io->ReadImageInformation(); });
+  loaded.stored = describe(*io, format, data, path);
+  checkGeometry(loaded.stored, path);
+  io->SetIORegion(wholeRegion(*io));
+  progress.update(0.1);
+  guarded(path, [&] {
+    loaded.numbers.resize(std::size_t(io->GetImageSizeInBytes()));
+    io->Read(loaded.numbers.data());
+  });
+  loaded.numbers.resize(loaded.numbers.size() / std::size_t(loaded.stored.timeSteps));
+  loaded.bytes = fileSize(path) + (data.file == path ? 0 : fileSize(data.file));
+  progress.update(1);
+  return loaded;
+}
+
+void writeWithItk(VolumeFormat format, const fs::path& path, const StoredVolume& stored, const void* numbers,
+                  const Progress& progress) {
+  progress.update(0);
+  const itk::ImageIOBase::Pointer io = makeIo(format);
+  setGeometry(*io, stored.geometry);
+  io->SetComponentType(stored.type == NumberType::uint8 ? itk::IOComponentEnum::UCHAR
+                                                        : itk::IOComponentEnum::FLOAT);
+  io->SetPixelType(itk::IOPixelEnum::SCALAR);
+  io->SetNumberOfComponents(1);
+  io->SetUseCompression(format != VolumeFormat::vtk);
+  if (format == VolumeFormat::nrrd || format == VolumeFormat::meta) setKeys(*io, stored);
+  writeAtomically(path, [&](const fs::path& temporary) {
+    try {
+      io->SetFileName(temporary.string());
+      io->WriteImageInformation();
+      io->Write(numbers);
+    } catch (const itk::ExceptionObject&) {
+      throw Error(fmt::format("{} could not be written; is the disk full?", path.string()),
+                  Error::Kind::system);
+    }
+    progress.throwIfCancelled();
+  });
+  progress.update(1);
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/progress.h"
+#include "core/io/declared_data.h"
+#include "core/io/stored_volume.h"
+
+namespace itk {
+class ImageIOBase;
+}
+
+// Volumes in one file, read and written by ITK. This file and dicom_series.cpp are the only ones that see it.
+namespace sonoskin {
+
+enum class VolumeFormat { nrrd, meta, nifti, vtk };
+
+// readWithItk: reads a file that checkData has let through.
+//   output   numbers of the first time step after the file's slope and intercept; the geometry in mm and LPS
+//   errors   Error: ITK cannot read it, or takes it for something else than its header declares; Cancelled
+//   cost     the memory of all time steps
+LoadedVolume readWithItk(VolumeFormat format, const std::filesystem::path& path, const DeclaredData& data,
+                         const Progress& progress = {});
+
+// writeWithItk: writes one number per voxel, atomically; packed, where the format can.
+//   input    stored   of the type uint8 or float32; NRRD and MetaImage keep its beam and its range
+//            numbers  as many as the geometry has voxels
+//   errors   Error (system): the file cannot be written; Cancelled
+void writeWithItk(VolumeFormat format, const std::filesystem::path& path, const StoredVolume& stored,
+                  const void* numbers, const Progress& progress = {});
+
+// describedBy: what an image that ITK has opened is: its geometry, type and numbers per voxel.
+//   errors   Error: numbers of a type that is not known here
+StoredVolume describedBy(const itk::ImageIOBase& io, const std::filesystem::path& path);
+
+}  // namespace sonoskin
