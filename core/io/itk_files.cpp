@@ -125,7 +125,7 @@ StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
     g.origin[int(a)] = io.GetOrigin(a);
     const std::vector<double> axis = io.GetDirection(a);
     for (std::size_t r = 0; r < std::min<std::size_t>(axis.size(), 3); ++r)
-      g.direction[int(a)][int(r)] = axis[r];
+      g.direction[int(a)][int(r)] = axis[r] + 0.0;  // no -0
   }
   return stored;
 }

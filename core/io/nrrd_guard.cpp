@@ -100,6 +100,15 @@ void checkKinds(const Nrrd& nrrd, const DeclaredData& data, const fs::path& path
       path.string());
 }
 
+// Whether three axes have a length; a fourth, of time or colour, need not.
+bool spacingKnown(const Nrrd& nrrd, std::size_t axes) {
+  const std::string directions = lowerCase(nrrd["spacedirections"]), spacings = lowerCase(nrrd["spacings"]);
+  const auto lengths = words(directions.empty() ? spacings : directions);
+  const auto unsaid = std::count_if(lengths.begin(), lengths.end(),
+                                    [](std::string_view word) { return word == "none" || word == "nan"; });
+  return !lengths.empty() && std::size_t(unsaid) <= axes - 3;
+}
+
 void placeData(const Nrrd& nrrd, const fs::path& path, DeclaredData& data) {
   const std::string_view file = nrrd["datafile"];
   require(!lowerCase(file).starts_with("list") && file.find('%') == std::string_view::npos,
@@ -140,7 +149,7 @@ DeclaredData nrrdData(const fs::path& path) {
   checkKinds(nrrd, data, path);
   placeData(nrrd, path, data);
   data.timeAxis = timeAxis(nrrd);
-  data.spacingKnown = !nrrd["spacedirections"].empty() || !nrrd["spacings"].empty();
+  data.spacingKnown = spacingKnown(nrrd, data.sizes.size());
   return data;
 }
 

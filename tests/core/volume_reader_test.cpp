@@ -42,6 +42,9 @@ TEST(ReadScan, FindsTheSpacingOrSaysThatThereIsNone) {
   const TempFolder folder;
   EXPECT_FALSE(readScan(folder.write("a.nrrd", nrrd("uint8", "", k24))).spacingKnown);
   EXPECT_TRUE(readScan(folder.write("b.nrrd", nrrd("uint8", "spacings: 1 2 3\n", k24))).spacingKnown);
+  EXPECT_FALSE(readScan(folder.write("c.nrrd", nrrd("uint8", "spacings: 1 2 nan\n", k24))).spacingKnown);
+  const std::string place = "space: left-posterior-superior\nspace directions: (1,0,0) (0,2,0) none\n";
+  EXPECT_FALSE(readScan(folder.write("d.nrrd", nrrd("uint8", place, k24))).spacingKnown);
   EXPECT_FALSE(readScan(folder.write("a.mha", mha("2 3 4", "", k24))).spacingKnown);
   const Scan scan = readScan(folder.write("b.mha", mha("2 3 4", "ElementSpacing = 1 2 3\n", k24)));
   EXPECT_TRUE(scan.spacingKnown);
