@@ -11,6 +11,7 @@
 #include "core/rbf/csrbf_model.h"
 #include "core/rbf/iso_surface.h"
 #include "core/surface/clusters.h"
+#include "core/volume/histogram.h"
 #include "core/volume/resample.h"
 
 namespace sonoskin {
@@ -47,13 +48,26 @@ Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress&
   return result;
 }
 
+// The options with thresholds on the scale of this volume. Soft edges classify weakly all over a volume: what counts
+// is how strong a surface is beside the others.
+SurfaceOptions scaledToStrongest(SurfaceOptions options, const Volume<float>& classified,
+                                 const Progress& progress) {
+  constexpr double kStrongestShare =
+      0.998;  // in any scan of a face, more voxels than the rest lie on its skin
+  const double strongest = quantile(classified, kStrongestShare, progress);
+  options.threshold *= strongest;
+  options.strongThreshold *= strongest;
+  return options;
+}
+
 Points findPoints(const Volume<float>& classified, const Prepared& prepared, const Beam& beam,
-                  const SurfaceOptions& options, const Progress& progress) {
+                  const SurfaceOptions& given, const Progress& progress) {
+  const SurfaceOptions options = scaledToStrongest(given, classified, progress.part(0, 0.1));
   const Volume<float>& lowPassed = prepared.smoothed.lowPassed;
   std::vector<SurfaceVoxel> voxels =
-      thin(classified, lowPassed, {beam, prepared.view}, options, progress.part(0, 0.6));
+      thin(classified, lowPassed, {beam, prepared.view}, options, progress.part(0.1, 0.6));
   progress.update(0.6);
-  voxels = dropWeakClusters(voxels, classified.geometry.dims, options);
+  voxels = dropWeakClusters(voxels, classified.geometry, options);
   progress.update(0.8);
   return {
       std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(voxels, classified.geometry)),
@@ -201,7 +215,7 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   require(results.points->size() > 0,
           "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
           "edge, or "
-          "lower surface.minClusterVoxels",
+          "lower surface.minClusterArea",
           results.isoValue);
   const Key fitKey = keyOf("fit 1", pointsKey, parameters.reconstruction);
   const auto model = run.stage("fit", 0.8, stages_->model, fitKey, [&](const Progress& p) {

@@ -1,6 +1,7 @@
 #include "core/surface/clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace sonoskin {
@@ -68,19 +69,21 @@ std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const gl
   return labels;
 }
 
-std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims,
+std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
                                            const SurfaceOptions& options) {
-  const std::vector<int> labels = labelClusters(voxels, dims);
+  const std::vector<int> labels = labelClusters(voxels, geometry.dims);
   std::vector<int> size(voxels.size(), 0), strong(voxels.size(), 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     ++size[std::size_t(labels[v])];
     if (double(voxels[v].value) >= options.strongThreshold) ++strong[std::size_t(labels[v])];
   }
-  const int fewestStrong = std::min(30, options.minClusterVoxels / 3);
+  const glm::dvec3& spacing = geometry.spacing;
+  const double smallest = options.minClusterArea / std::pow(spacing.x * spacing.y * spacing.z, 2.0 / 3.0);
+  const double fewestStrong = std::min(30.0, smallest / 3);
   std::vector<SurfaceVoxel> kept;
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     const std::size_t piece = std::size_t(labels[v]);
-    if (size[piece] >= options.minClusterVoxels && strong[piece] >= fewestStrong &&
+    if (size[piece] >= smallest && strong[piece] >= fewestStrong &&
         strong[piece] >= options.strongShare * size[piece])
       kept.push_back(voxels[v]);
   }

@@ -14,9 +14,10 @@ namespace sonoskin {
 //   output   a label per voxel: the index of the first voxel of its piece
 std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims);
 
-// dropWeakClusters: keeps the pieces with at least minClusterVoxels voxels, of which a strongShare (and at
-// least a third of minClusterVoxels, 30 at most) reach strongThreshold (hysteresis).
-std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims,
+// dropWeakClusters: keeps the pieces of minClusterArea or more, of which a strongShare reaches strongThreshold
+// (hysteresis). A surface voxel stands for the area V^(2/3), V: its volume.
+//   fewest   a piece also needs a third of minClusterArea in strong voxels, 30 of them at most
+std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
                                            const SurfaceOptions& options);
 
 }  // namespace sonoskin

@@ -79,7 +79,7 @@ TEST(Session, MeshIsCurrentUntilAParameterChanges) {
   ASSERT_TRUE(wait(session));
   Parameters small = session.parameters();
   small.mesh.resolution = 60;
-  small.surface.minClusterVoxels = 20;
+  small.surface.minClusterArea = 20;
   session.edit(small);
   session.commitEdit();
   session.reconstruct();

@@ -165,7 +165,7 @@ void thinningAndClusters(benchmark::State& state) {
   std::size_t found = 0;
   for (auto _ : state) {
     const auto voxels = thin(u, smoothedInput().lowPassed, frame, SurfaceOptions{});
-    found = dropWeakClusters(voxels, u.geometry.dims, SurfaceOptions{}).size();
+    found = dropWeakClusters(voxels, u.geometry, SurfaceOptions{}).size();
   }
   state.counters["points"] = double(found);
 }

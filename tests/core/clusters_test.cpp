@@ -55,8 +55,8 @@ TEST(Clusters, SmallAndWeakPiecesAreDropped) {
   line(3, 12, 0.2f);  // long and weak
   line(6, 4, 0.9f);   // short and strong
   SurfaceOptions o;
-  o.minClusterVoxels = 10;
-  const auto kept = dropWeakClusters(voxels, kDims, o);
+  o.minClusterArea = 10;
+  const auto kept = dropWeakClusters(voxels, test::grid(kDims), o);
   ASSERT_EQ(kept.size(), 12u);
   for (const auto& v : kept) EXPECT_EQ(v.voxel.y, 0);
 }
@@ -65,11 +65,21 @@ TEST(Clusters, WeakVoxelsLiveOnStrongNeighbours) {
   std::vector<SurfaceVoxel> voxels;
   for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, i < 5 ? 0.9f : 0.12f});
   SurfaceOptions o;
-  o.minClusterVoxels = 10;
-  EXPECT_EQ(dropWeakClusters(voxels, kDims, o).size(), 12u);
+  o.minClusterArea = 10;
+  EXPECT_EQ(dropWeakClusters(voxels, test::grid(kDims), o).size(), 12u);
 }
 
-TEST(Clusters, OfNothingAreNothing) { EXPECT_TRUE(dropWeakClusters({}, kDims, {}).empty()); }
+// The same 12 voxels cover eight times the area where voxels are 2 x 2 x 5.66 mm.
+TEST(Clusters, AreMeasuredInSquareMillimetres) {
+  std::vector<SurfaceVoxel> voxels;
+  for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, 0.9f});
+  SurfaceOptions o;
+  o.minClusterArea = 90;
+  EXPECT_TRUE(dropWeakClusters(voxels, test::grid(kDims), o).empty());
+  EXPECT_EQ(dropWeakClusters(voxels, test::grid(kDims, {2, 2, std::sqrt(32.0)}), o).size(), 12u);
+}
+
+TEST(Clusters, OfNothingAreNothing) { EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), {}).empty()); }
 
 }  // namespace
 }  // namespace sonoskin
