@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/parameter_options.h"
 #include "app/window.h"
@@ -19,8 +20,6 @@
 
 namespace sonoskin {
 namespace {
-
-enum ExitStatus { kDone = 0, kOther = 1, kUsage = 2, kInput = 3, kCancelled = 4 };
 
 // fail: the one line on standard error that says what went wrong.
 int fail(ExitStatus status, std::string message) {
@@ -92,7 +91,7 @@ int runCommandLine(int argc, char** argv) {
   try {
     return parseAndRun(argc, argv);
   } catch (const Cancelled&) {
-    return fail(kCancelled, "cancelled; nothing was written");
+    return fail(kCancelled, kCancelledSentence);
   } catch (const Error& error) {
     return fail(statusOf(error.kind()), error.what());
   } catch (const std::bad_alloc&) {

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <semaphore.h>
+
 #include <csignal>
+#include <thread>
 
 #include "core/base/progress.h"
 
 namespace sonoskin {
 
-// Interrupt: while it lives, Ctrl+C (SIGINT) and SIGTERM set sink.cancel instead of ending the program. One
-// at a time: a signal handler can only reach what is global.
+// Interrupt: while it lives, Ctrl+C (SIGINT) and SIGTERM set sink.cancel instead of ending the program. What does not
+// look at it within kPatience (a picture being drawn, a library reading a file) is abandoned: unfinished output is
+// removed and the program ends as cancelled. One at a time: a signal handler can only reach what is global.
 class Interrupt {
  public:
   explicit Interrupt(ProgressSink& sink);
@@ -16,7 +20,12 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
  private:
+  void watch();
+
+  ProgressSink& sink_;
   struct sigaction oldInterrupt_ = {}, oldTerminate_ = {};
+  sem_t ended_;
+  std::thread watcher_;
 };
 
 }  // namespace sonoskin

@@ -2,25 +2,35 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "core/base/parallel.h"
 
 namespace sonoskin {
 namespace {
 
 constexpr int kBins = 256;
-constexpr int kStride = 3;       // every third voxel along each axis is a sample large enough
+constexpr int kStride = 4;       // every fourth voxel along each axis is a sample large enough
 constexpr double kShare = 0.38;  // of the way from fluid to tissue
 
 using Histogram = std::array<double, kBins>;
 
 Histogram sampleHistogram(const Volume<float>& volume, const FieldOfView& view) {
   const Geometry& g = volume.geometry;
-  Histogram histogram{};
-  for (int k = 0; k < g.dims.z; k += kStride)
+  const int slices = (g.dims.z + kStride - 1) / kStride;
+  std::vector<Histogram> perSlice(std::size_t(slices), Histogram{});
+  parallelFor(slices, [&](std::ptrdiff_t slice) {
+    const int k = int(slice) * kStride;
     for (int j = 0; j < g.dims.y; j += kStride)
       for (int i = 0; i < g.dims.x; i += kStride)
         if (view.contains(glm::vec3(i, j, k) * glm::vec3(g.spacing)))
-          ++histogram[std::size_t(std::clamp(int(volume.at(i, j, k) * kBins), 0, kBins - 1))];
-  return histogram;
+          ++perSlice[std::size_t(slice)]
+                    [std::size_t(std::clamp(int(volume.at(i, j, k) * kBins), 0, kBins - 1))];
+  });
+  Histogram sum{};
+  for (const Histogram& h : perSlice)
+    for (std::size_t b = 0; b < kBins; ++b) sum[b] += h[b];
+  return sum;
 }
 
 // The means, in bins, of the two classes whose means differ most, weighted by their sizes.

@@ -2,8 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <mutex>
 
 #include "core/base/error.h"
 
@@ -22,13 +24,36 @@ std::string uniquePrefix() {
   return fmt::format(".sonoskin-{}-{}-", ::getpid(), counter++);
 }
 
+// What is not finished: temporary files and folders, and folders that were made for them, in the order in which they
+// were made. Held while something is given its name.
+std::mutex unfinishedMutex;
+std::vector<fs::path> unfinished;
+
+void addUnfinished(const fs::path& path) {
+  const std::lock_guard lock(unfinishedMutex);
+  unfinished.push_back(fs::absolute(path));
+}
+
+void dropUnfinished(const fs::path& path) {
+  const std::lock_guard lock(unfinishedMutex);
+  std::erase(unfinished, fs::absolute(path));
+}
+
 // Removes a file when it goes out of scope; a file that was renamed is no longer there.
-struct Removal {
-  fs::path path;
-  ~Removal() {
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(fs::path path) : path_(std::move(path)) { addUnfinished(path_); }
+  ~TemporaryFile() {
     std::error_code ignored;
-    fs::remove(path, ignored);
+    fs::remove(path_, ignored);
+    dropUnfinished(path_);
   }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
 };
 
 // Renaming over a device such as /dev/null would replace it.
@@ -53,12 +78,13 @@ void moveInto(const fs::path& from, const fs::path& to) {
 
 void writeAtomically(const fs::path& target, const std::function<void(const fs::path&)>& write) {
   checkTarget(target);
-  const Removal temporary{target.parent_path() / (uniquePrefix() + target.filename().string())};
+  const TemporaryFile temporary(target.parent_path() / (uniquePrefix() + target.filename().string()));
   // Opening it first tells a folder without permission from a writer's own trouble.
-  if (!std::ofstream(temporary.path))
+  if (!std::ofstream(temporary.path()))
     failOnDisk("{} cannot be written; check the folder's permissions and the free space.", target.string());
-  write(temporary.path);
-  moveInto(temporary.path, target);
+  write(temporary.path());
+  const std::lock_guard lock(unfinishedMutex);
+  moveInto(temporary.path(), target);
 }
 
 void writeBytes(const fs::path& target, const void* data, std::size_t bytes) {
@@ -76,10 +102,12 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   for (fs::path p = fs::absolute(folder_); !p.empty() && !fs::exists(p, code); p = p.parent_path())
     missing.insert(missing.begin(), p);
   made_ = missing;
+  for (const fs::path& folderMade : made_) addUnfinished(folderMade);
   fs::create_directories(folder_, code);
   if (!fs::is_directory(folder_))
     failOnDisk("The folder {} cannot be made: {}.", folder_.string(), code.message());
   staging_ = folder_ / (uniquePrefix() + "unfinished");
+  addUnfinished(staging_);
   if (!fs::create_directory(staging_, code))
     failOnDisk("The folder {} cannot be written: {}.", folder_.string(), code.message());
 }
@@ -87,7 +115,10 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
 OutputFolder::~OutputFolder() {
   removeStaging();
   std::error_code ignored;  // folders that hold something by now stay
-  for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
+  for (auto p = made_.rbegin(); p != made_.rend(); ++p) {
+    fs::remove(*p, ignored);
+    dropUnfinished(*p);
+  }
 }
 
 fs::path OutputFolder::file(const std::string& name) {
@@ -97,17 +128,33 @@ fs::path OutputFolder::file(const std::string& name) {
 }
 
 void OutputFolder::commit() {
-  // All targets are looked at first, so that a refusal leaves an earlier result whole.
-  for (const auto& entry : fs::directory_iterator(staging_)) checkTarget(folder_ / entry.path().filename());
-  for (const auto& entry : fs::directory_iterator(staging_))
-    moveInto(entry.path(), folder_ / entry.path().filename());
-  removeStaging();
+  {
+    const std::lock_guard lock(unfinishedMutex);
+    // All targets are looked at first, so that a refusal leaves an earlier result whole.
+    for (const auto& entry : fs::directory_iterator(staging_)) checkTarget(folder_ / entry.path().filename());
+    for (const auto& entry : fs::directory_iterator(staging_))
+      moveInto(entry.path(), folder_ / entry.path().filename());
+    for (const fs::path& folder : made_) std::erase(unfinished, folder);
+  }
   made_.clear();
+  removeStaging();
 }
 
 void OutputFolder::removeStaging() {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
+  dropUnfinished(staging_);
+}
+
+void abandonOutput(int exitStatus) {
+  const std::lock_guard lock(unfinishedMutex);
+  std::error_code ignored;
+  for (auto path = unfinished.rbegin(); path != unfinished.rend(); ++path) {
+    const bool ours = path->filename().string().starts_with(".sonoskin-");
+    // A folder that was made for the output may hold something of somebody else's by now: only if empty.
+    ours ? fs::remove_all(*path, ignored) : std::uintmax_t(fs::remove(*path, ignored));
+  }
+  ::_exit(exitStatus);
 }
 
 }  // namespace sonoskin

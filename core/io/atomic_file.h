@@ -41,4 +41,9 @@ class OutputFolder {
   std::vector<std::filesystem::path> made_;  // folders that did not exist before, outermost first
 };
 
+// abandonOutput: removes all that the two above have not finished and ends the program, without destructors; for
+// when a person asked to stop and the main thread is in the middle of something that cannot be interrupted.
+//   threads  any; a commit under way is completed first
+[[noreturn]] void abandonOutput(int exitStatus);
+
 }  // namespace sonoskin

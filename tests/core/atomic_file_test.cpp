@@ -91,5 +91,29 @@ TEST(OutputFolder, RefusesNamesThatLeadElsewhere) {
   expectError([&] { OutputFolder(folder.write("file", "x")); }, "cannot be made", Error::Kind::system);
 }
 
+// The child process ends in the middle of its work; what it had begun is gone, what was there before is not.
+TEST(AbandonOutput, LeavesNothingUnfinished) {
+  namespace fs = std::filesystem;
+  const TempFolder temp;
+  const fs::path kept = temp.path() / "kept";
+  fs::create_directory(kept);
+  writeBytes(kept / "a.txt", "old", 3);
+  EXPECT_EXIT(
+      {
+        OutputFolder fresh(temp.path() / "new" / "deeper");
+        OutputFolder existing(kept);
+        std::ofstream(fresh.file("a.txt")) << "half";
+        std::ofstream(existing.file("a.txt")) << "half";
+        writeAtomically(kept / "b.txt", [](const fs::path& temporary) {
+          std::ofstream(temporary) << "half";
+          abandonOutput(4);
+        });
+      },
+      ::testing::ExitedWithCode(4), "");
+  EXPECT_FALSE(fs::exists(temp.path() / "new"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(kept), fs::directory_iterator()), 1);
+  EXPECT_EQ(fs::file_size(kept / "a.txt"), 3u);
+}
+
 }  // namespace
 }  // namespace sonoskin
