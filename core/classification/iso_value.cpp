@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -10,19 +11,20 @@ namespace sonoskin {
 namespace {
 
 constexpr int kBins = 256;
-constexpr int kStride = 4;       // every fourth voxel along each axis is a sample large enough
-constexpr double kShare = 0.38;  // of the way from fluid to tissue
+constexpr double kSamples = 230'000;  // about so many voxels are looked at, evenly spread
+constexpr double kShare = 0.38;       // of the way from fluid to tissue
 
 using Histogram = std::array<double, kBins>;
 
 Histogram sampleHistogram(const Volume<float>& volume, const FieldOfView& view) {
   const Geometry& g = volume.geometry;
-  const int slices = (g.dims.z + kStride - 1) / kStride;
+  const int stride = std::max(1, int(std::cbrt(double(g.voxels()) / kSamples)));
+  const int slices = (g.dims.z + stride - 1) / stride;
   std::vector<Histogram> perSlice(std::size_t(slices), Histogram{});
   parallelFor(slices, [&](std::ptrdiff_t slice) {
-    const int k = int(slice) * kStride;
-    for (int j = 0; j < g.dims.y; j += kStride)
-      for (int i = 0; i < g.dims.x; i += kStride)
+    const int k = int(slice) * stride;
+    for (int j = 0; j < g.dims.y; j += stride)
+      for (int i = 0; i < g.dims.x; i += stride)
         if (view.contains(glm::vec3(i, j, k) * glm::vec3(g.spacing)))
           ++perSlice[std::size_t(slice)]
                     [std::size_t(std::clamp(int(volume.at(i, j, k) * kBins), 0, kBins - 1))];
