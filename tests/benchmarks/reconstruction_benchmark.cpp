@@ -1,0 +1,139 @@
+// The steps from points to a mesh and the measuring of meshes, each beside the plain way to do the same.
+#include <benchmark/benchmark.h>
+
+#include <nanoflann.hpp>
+
+#include "core/base/parallel.h"
+#include "core/mesh/components.h"
+#include "core/mesh/marching_cubes.h"
+#include "core/mesh/mesh_distance.h"
+#include "core/pipeline/pipeline.h"
+#include "core/rbf/csrbf_model.h"
+#include "core/rbf/iso_surface.h"
+#include "tests/benchmarks/phantom_input.h"
+
+namespace sonoskin {
+namespace {
+
+// The points of the simulated scan with default parameters.
+const SurfacePoints& points() {
+  static const Results results = [] {
+    Pipeline pipeline;
+    return pipeline.run(phantomInput(), Parameters{}, Goal::points);
+  }();
+  return *results.points;
+}
+
+const CsrbfModel& model() {
+  static const CsrbfModel fitted = fitCsrbf(points(), ReconstructionOptions{});
+  return fitted;
+}
+
+void fit(benchmark::State& state) {
+  ReconstructionOptions options;
+  options.fitWeights = state.range(0) != 0;
+  std::size_t centres = 0;
+  for (auto _ : state) centres = fitCsrbf(points(), options).centres().size();
+  state.counters["points"] = double(points().size());
+  state.counters["centres"] = double(centres);
+}
+BENCHMARK(fit)
+    ->ArgName("weights")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// A floor for the fit: the ten nearest neighbours of every point, as nanoflann finds them on one thread.
+struct PointCloud {
+  const std::vector<glm::vec3>& positions;
+  std::size_t kdtree_get_point_count() const { return positions.size(); }
+  float kdtree_get_pt(std::size_t point, std::size_t axis) const { return positions[point][int(axis)]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+void neighboursByNanoflann(benchmark::State& state) {
+  using Tree =
+      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointCloud>, PointCloud, 3>;
+  const PointCloud cloud{points().positions};
+  for (auto _ : state) {
+    const Tree tree(3, cloud);
+    std::uint32_t index[11];
+    float squared[11], sum = 0;
+    for (const glm::vec3& p : cloud.positions) {
+      tree.knnSearch(&p[0], 11, index, squared);
+      sum += squared[10];
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(neighboursByNanoflann)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+void surfaceOnBricks(benchmark::State& state) {
+  MeshOptions options;
+  options.resolution = int(state.range(0));
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = extractIsoSurface(model(), points(), options).triangles.size();
+  state.counters["triangles"] = double(triangles);
+}
+BENCHMARK(surfaceOnBricks)
+    ->Arg(100)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// The baseline: every node of the box is evaluated, and marching cubes runs over all of it. Neither clip nor normals.
+void surfaceOnDenseGrid(benchmark::State& state) {
+  const Box box = boundingBox(points().positions);
+  const glm::dvec3 extent(box.max - box.min);
+  const double cell = std::max({extent.x, extent.y, extent.z}) / double(state.range(0));
+  Geometry grid;
+  grid.dims = glm::ivec3(extent / cell) + 13;
+  grid.spacing = glm::dvec3(cell);
+  grid.origin = glm::dvec3(box.min) - 6 * cell;
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    Volume<float> field(grid);
+    parallelFor(grid.dims.z, [&](std::ptrdiff_t k) {
+      for (int j = 0; j < grid.dims.y; ++j)
+        for (int i = 0; i < grid.dims.x; ++i)
+          field.at(i, j, int(k)) = model().sample(glm::vec3(grid.toWorld({i, j, double(k)}))).value;
+    });
+    triangles = marchingCubes(field, 0).triangles.size();
+  }
+  state.counters["triangles"] = double(triangles);
+}
+BENCHMARK(surfaceOnDenseGrid)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+const Mesh& surface() {
+  static const Mesh mesh = extractIsoSurface(model(), points(), MeshOptions{});
+  return mesh;
+}
+
+void pieces(benchmark::State& state) {
+  for (auto _ : state) {
+    const std::vector<Mesh> split = splitPieces(surface());
+    benchmark::DoNotOptimize(viewShares(split, *phantomInput().beam, glm::dvec3(70, 38, 56)));
+  }
+  state.counters["triangles"] = double(surface().triangles.size());
+}
+BENCHMARK(pieces)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+void distancesToTruth(benchmark::State& state) {
+  static const Mesh truth = makePhantomTruth(PhantomOptions{});
+  for (auto _ : state) benchmark::DoNotOptimize(measureDistances(surface(), truth));
+  state.counters["vertices"] = double(surface().positions.size() + truth.positions.size());
+}
+BENCHMARK(distancesToTruth)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+}  // namespace
+}  // namespace sonoskin
