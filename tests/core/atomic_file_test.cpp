@@ -94,6 +94,7 @@ TEST(OutputFolder, RefusesNamesThatLeadElsewhere) {
 // The child process ends in the middle of its work; what it had begun is gone, what was there before is not.
 TEST(AbandonOutput, LeavesNothingUnfinished) {
   namespace fs = std::filesystem;
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // other tests may have left threads behind
   const TempFolder temp;
   const fs::path kept = temp.path() / "kept";
   fs::create_directory(kept);
