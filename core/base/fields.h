@@ -13,8 +13,8 @@ namespace sonoskin {
 //   void fields(F&& f, O& o) {
 //     f(Field{"alpha", "weight of the iso-value term", "", "α"}, o.alpha, Range{0.0, 1.0});
 //
-// A visitor f is called once per member with (Field, member&, Range); for bool, enum and text members without
-// a Range. Members are int, double, bool, std::string, std::array<int or double, 3>, or an enum with
+// A visitor f is called once per member with (Field, member&, Range); for bool and enum members without
+// a Range. Members are int, double, bool, std::array<int or double, 3>, or an enum with
 // enumNames(). From that one list come sliders, command-line options, the recipe, the cache key and the
 // documentation.
 
