@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/classification/data_term.h"
 #include "core/classification/pcg.h"
+#include "core/classification/thesis_system.h"
 #include "core/volume/gaussian.h"
 
 namespace sonoskin {
@@ -23,6 +24,7 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
+  if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
   const DataTerm term = dataTerm(volume, smoothed.lowPassed, options, progress.part(0, 0.1));
   const TangentialOperator tangential(smoothed.directions, absoluteBeta(options));
   Solution solution = solveClassification(tangential, term, options.tolerance, progress.part(0.1, 1));

@@ -25,9 +25,11 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 //   solves   minimise 1/2 sum alpha a u^2 + beta |grad u x g|^2 + gamma h (u - uind)^2, that is
 //            (alpha a + gamma h) u - beta div(D grad u) = gamma h uind
 //            [Fattal, Lischinski 2001, with the tangential term of core/README.md; a and h: data_term.h]
+//            with the formulations of the thesis its equation 3.7 instead (thesis_system.h), which needs no
+//            `smoothed`
 //   options  isoValue must be above 0
 //   output   u clamped to [0, uind]
-//   errors   Cancelled
+//   errors   Error: the skew system cannot be solved by sweeps; Cancelled
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress = {});
 

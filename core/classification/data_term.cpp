@@ -9,8 +9,7 @@ namespace sonoskin {
 namespace {
 
 constexpr float kFlatGradient =
-    1.5e-5f;                      // (1/255)^2: the squared gradient of a single grey step of 8-bit data
-constexpr float kFarthest = 256;  // 16 voxels, squared
+    1.5e-5f;  // (1/255)^2: the squared gradient of a single grey step of 8-bit data
 
 double edgePull(const ClassificationOptions& o, double gradient) {
   return o.gradientFloor + (1 - o.gradientFloor) * std::min(1.0, gradient / o.gradientReference);
@@ -41,12 +40,14 @@ DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, cons
   const float iso = float(o.isoValue), w = float(o.rawShare), noise = float(o.noiseFloor * o.noiseFloor);
   const float alpha = float(o.alpha), gamma = float(o.gamma), delta = float(o.gradientFloor);
   const float perReference = float(1 / o.gradientReference), target = float(o.target);
+  const float farthest = float(o.farthest * o.farthest);
+  const Volume<float>& edges = o.gradientSource == GradientSource::raw ? raw : lowPassed;
   parallelFor(
       geometry.dims.z,
       [&](std::ptrdiff_t k) {
         std::vector<float> gradient(std::size_t(geometry.dims.x));
         for (int j = 0; j < geometry.dims.y; ++j) {
-          squaredGradientRow(lowPassed, j, int(k), gradient.data());
+          squaredGradientRow(edges, j, int(k), gradient.data());
           const std::size_t start = geometry.index(0, j, int(k));
           const float *v = &raw.data[start], *low = &lowPassed.data[start], *g2 = gradient.data();
           float *c = &term.diagonal[start], *b = &term.right[start];
@@ -55,7 +56,7 @@ DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, cons
             const float dv = v[i] - iso, dl = low[i] - iso;
             const float a = (w * dv * dv + (1 - w) * dl * dl + noise) / (g2[i] + kFlatGradient);
             const float h = gamma * (delta + (1 - delta) * std::min(1.0f, std::sqrt(g2[i]) * perReference));
-            c[i] = alpha * std::min(a, kFarthest) + h;
+            c[i] = alpha * std::min(a, farthest) + h;
             b[i] = h * target;
           }
         }

@@ -11,10 +11,11 @@ namespace sonoskin {
 // DataTerm: the part of the system that stands on the diagonal, one value per voxel.
 //   diagonal  c = alpha a + gamma h
 //   right     b = gamma h uind
-//   a = min((w (v - viso)^2 + (1 - w)(v~ - viso)^2 + nf^2) / (|grad v~|^2 + eps), 256)
-//       a squared distance to the iso-surface, in voxels; above 16 voxels all are equally far, which keeps
+//   a = min((w (v - viso)^2 + (1 - w)(v~ - viso)^2 + nf^2) / (|grad|^2 + eps), farthest^2)
+//       a squared distance to the iso-surface, in voxels; beyond `farthest` all are equally far, which keeps
 //       the system well conditioned
-//   h = delta + (1 - delta) min(1, |grad v~| / gref)
+//   h = delta + (1 - delta) min(1, |grad| / gref)
+//   grad: of v~ or of v, as gradientSource says
 struct DataTerm {
   std::vector<float> diagonal, right;
 };
@@ -27,7 +28,7 @@ DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed,
                   const ClassificationOptions& options, const Progress& progress = {});
 
 // absoluteBeta: the beta of the functional that smooths over the options' tangential length at a typical
-// edge: beta l^2 gamma h_ref, h_ref = h at |grad v~| = 0.06.
+// edge: beta l^2 gamma h_ref, h_ref = h at |grad| = 0.06.
 double absoluteBeta(const ClassificationOptions& options);
 
 }  // namespace sonoskin

@@ -11,6 +11,7 @@
 #include "core/rbf/csrbf_model.h"
 #include "core/rbf/iso_surface.h"
 #include "core/surface/clusters.h"
+#include "core/surface/thesis_thinning.h"
 #include "core/volume/histogram.h"
 #include "core/volume/resample.h"
 
@@ -52,6 +53,7 @@ Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress&
 // is how strong a surface is beside the others.
 SurfaceOptions scaledToStrongest(SurfaceOptions options, const Volume<float>& classified,
                                  const Progress& progress) {
+  if (options.thresholdScale == ThresholdScale::one) return options;
   constexpr double kStrongestShare =
       0.998;  // in any scan of a face, more voxels than the rest lie on its skin
   const double strongest = quantile(classified, kStrongestShare, progress);
@@ -64,8 +66,9 @@ Points findPoints(const Volume<float>& classified, const Prepared& prepared, con
                   const SurfaceOptions& given, const Progress& progress) {
   const SurfaceOptions options = scaledToStrongest(given, classified, progress.part(0, 0.1));
   const Volume<float>& lowPassed = prepared.smoothed.lowPassed;
+  const auto thinning = options.thinning == ThinningMethod::thesis ? thinByThesis : thin;
   std::vector<SurfaceVoxel> voxels =
-      thin(classified, lowPassed, {beam, prepared.view}, options, progress.part(0.1, 0.6));
+      thinning(classified, lowPassed, {beam, prepared.view}, options, progress.part(0.1, 0.6));
   progress.update(0.6);
   voxels = dropWeakClusters(voxels, classified.geometry, options);
   progress.update(0.8);
@@ -158,6 +161,7 @@ class Run {
 ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
   o.lowPass /= factor;
   o.tangentialLength /= factor;
+  o.farthest /= factor;
   o.gradientReference *= factor;
   o.directionScale *= factor;
   o.alpha *= factor * factor;  // the iso-value term is a squared distance

@@ -46,6 +46,20 @@ void joinRows(const std::vector<SurfaceVoxel>& voxels, int a, int aEnd, int b, i
   }
 }
 
+// The piece with most voxels, the first of equals; nothing if it has fewer than `smallest`.
+std::vector<SurfaceVoxel> largestCluster(const std::vector<SurfaceVoxel>& voxels,
+                                         const std::vector<int>& labels, double smallest) {
+  std::vector<int> size(voxels.size(), 0);
+  for (const int label : labels) ++size[std::size_t(label)];
+  const auto largest = std::max_element(size.begin(), size.end());
+  std::vector<SurfaceVoxel> kept;
+  if (largest == size.end() || *largest < smallest) return kept;
+  const int piece = int(largest - size.begin());
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    if (labels[v] == piece) kept.push_back(voxels[v]);
+  return kept;
+}
+
 }  // namespace
 
 std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims) {
@@ -72,13 +86,14 @@ std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const gl
 std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
                                            const SurfaceOptions& options) {
   const std::vector<int> labels = labelClusters(voxels, geometry.dims);
+  const glm::dvec3& spacing = geometry.spacing;
+  const double smallest = options.minClusterArea / std::pow(spacing.x * spacing.y * spacing.z, 2.0 / 3.0);
+  if (options.clusters == ClusterRule::largest) return largestCluster(voxels, labels, smallest);
   std::vector<int> size(voxels.size(), 0), strong(voxels.size(), 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     ++size[std::size_t(labels[v])];
     if (double(voxels[v].value) >= options.strongThreshold) ++strong[std::size_t(labels[v])];
   }
-  const glm::dvec3& spacing = geometry.spacing;
-  const double smallest = options.minClusterArea / std::pow(spacing.x * spacing.y * spacing.z, 2.0 / 3.0);
   const double fewestStrong = std::min(30.0, smallest / 3);
   std::vector<SurfaceVoxel> kept;
   for (std::size_t v = 0; v < voxels.size(); ++v) {

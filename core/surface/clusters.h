@@ -16,6 +16,7 @@ std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const gl
 
 // dropWeakClusters: keeps the pieces of minClusterArea or more, of which a strongShare reaches strongThreshold
 // (hysteresis). A surface voxel stands for the area V^(2/3), V: its volume.
+//   largest  with ClusterRule::largest only the piece with most voxels, if it has minClusterArea
 //   fewest   a piece also needs a third of minClusterArea in strong voxels, 30 of them at most
 std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
                                            const SurfaceOptions& options);

@@ -79,7 +79,30 @@ TEST(Clusters, AreMeasuredInSquareMillimetres) {
   EXPECT_EQ(dropWeakClusters(voxels, test::grid(kDims, {2, 2, std::sqrt(32.0)}), o).size(), 12u);
 }
 
-TEST(Clusters, OfNothingAreNothing) { EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), {}).empty()); }
+TEST(Clusters, TheLargestAloneNeedsNoStrength) {
+  std::vector<SurfaceVoxel> voxels;
+  const auto line = [&](int j, int length, float value) {
+    for (int i = 0; i < length; ++i) voxels.push_back({{i, j, 2}, {i, j, 2}, value});
+  };
+  line(0, 8, 0.9f);
+  line(3, 12, 0.2f);
+  line(6, 12, 0.9f);  // as large as the one before: the first counts
+  SurfaceOptions o;
+  o.clusters = ClusterRule::largest;
+  o.minClusterArea = 10;
+  const auto kept = dropWeakClusters(voxels, test::grid(kDims), o);
+  ASSERT_EQ(kept.size(), 12u);
+  for (const auto& v : kept) EXPECT_EQ(v.voxel.y, 3);
+  o.minClusterArea = 13;
+  EXPECT_TRUE(dropWeakClusters(voxels, test::grid(kDims), o).empty());
+}
+
+TEST(Clusters, OfNothingAreNothing) {
+  SurfaceOptions o;
+  EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), o).empty());
+  o.clusters = ClusterRule::largest;
+  EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), o).empty());
+}
 
 }  // namespace
 }  // namespace sonoskin

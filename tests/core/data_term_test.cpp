@@ -37,6 +37,29 @@ TEST(DataTerm, IsBoundedFarFromTheIsoValue) {
   EXPECT_NEAR(term.diagonal[g.index(3, 3, 3)], 256 + 0.1, 1e-3);  // alpha 16^2 + gamma delta
 }
 
+TEST(DataTerm, FarthestIsTheBound) {
+  const Geometry g = test::grid({6, 6, 6});
+  ClassificationOptions o;
+  o.isoValue = 0.9;
+  o.farthest = 5;
+  const Volume<float> flat(g, 0.0f);
+  EXPECT_NEAR(dataTerm(flat, flat, o).diagonal[g.index(3, 3, 3)], 25 + 0.1, 1e-4);
+}
+
+// With all the weight on one volume the other counts through its gradients alone.
+TEST(DataTerm, GradientsComeFromTheChosenVolume) {
+  const Geometry g = test::grid({7, 7, 7});
+  const auto steep = test::fill(g, [](glm::dvec3 p) { return 0.09 * p.x; });
+  const auto gentle = test::fill(g, [](glm::dvec3 p) { return 0.02 * p.x + 0.2; });
+  ClassificationOptions o;
+  o.isoValue = 0.3;
+  o.gamma = 2;
+  const std::size_t middle = g.index(3, 3, 3);
+  EXPECT_NEAR(dataTerm(steep, gentle, o).right[middle], 2 * (0.1 + 0.9 * 0.2), 1e-5);
+  o.gradientSource = GradientSource::raw;
+  EXPECT_NEAR(dataTerm(steep, gentle, o).right[middle], 2 * (0.1 + 0.9 * 0.9), 1e-5);
+}
+
 TEST(DataTerm, BetaFollowsTheTangentialLength) {
   ClassificationOptions o;  // gamma 1, delta 0.1, gref 0.1: h at 0.06 is 0.1 + 0.9 * 0.6
   EXPECT_NEAR(absoluteBeta(o), 9 * 0.64, 1e-12);

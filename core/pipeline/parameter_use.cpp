@@ -1,0 +1,51 @@
+#include "core/pipeline/parameter_use.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sonoskin {
+namespace {
+
+template <std::size_t n>
+bool isOneOf(const std::array<std::string_view, n>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What the thesis' equations have no place for.
+constexpr std::array<std::string_view, 6> kOursAlone{
+    "gradientSource", "gradientReference", "tangentialLength", "noiseFloor", "farthest", "directionScale"};
+
+std::string_view classificationUse(const ClassificationOptions& o, std::string_view field) {
+  const bool closed = o.formulation == Formulation::thesisClosed,
+             skew = o.formulation == Formulation::thesisSkew;
+  if (!closed && !skew) {
+    if (field == "curl" || field == "rescale") return "Only the thesis' formulations have it";
+    if (field == "tangentialLength" && o.beta == 0) return "Beta is 0: nothing is smoothed along the surface";
+    if ((field == "beta" || field == "directionScale") && o.tangentialLength == 0)
+      return "The tangential length is 0: nothing is smoothed along the surface";
+    return {};
+  }
+  if (isOneOf(kOursAlone, field)) return "The thesis' equations do not have it";
+  if (closed && field == "beta")
+    return "The curl of a gradient is zero: in the thesis' equation beta has no effect";
+  if (closed && field == "curl") return "The closed form has no curl";
+  if (closed && field == "tolerance") return "The closed form is exact: nothing is repeated";
+  if (skew && field == "curl" && o.beta == 0) return "Beta is 0";
+  return {};
+}
+
+std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
+  if (o.clusters == ClusterRule::largest && (field == "strongThreshold" || field == "strongShare"))
+    return "Only the largest piece is kept, however strong it is";
+  return {};
+}
+
+}  // namespace
+
+std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
+  if (group == "classification") return classificationUse(parameters.classification, field);
+  if (group == "surface") return surfaceUse(parameters.surface, field);
+  return {};
+}
+
+}  // namespace sonoskin
