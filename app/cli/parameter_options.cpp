@@ -8,6 +8,7 @@
 
 #include "app/parameter_text.h"
 #include "core/base/error.h"
+#include "core/pipeline/presets.h"
 #include "core/pipeline/recipe.h"
 
 namespace sonoskin {
@@ -29,12 +30,20 @@ std::string helpLine(const ParameterInfo& p) {
 
 }  // namespace
 
+void ParameterOptions::addPreset(CLI::App& command) {
+  std::string help = "settings that belong together; --recipe and single options go on top of them";
+  for (const Preset& preset : presets()) help += fmt::format("\n{}: {}", preset.name, preset.help);
+  const auto store = [this](const std::string& name) { preset_ = findPreset(name).name; };
+  command.add_option_function<std::string>("--preset", store, help)->type_name("NAME");
+}
+
 void ParameterOptions::addRecipe(CLI::App& command) {
   command.add_option("--recipe", recipe_, "JSON file of parameters; single options go on top of it")
       ->type_name("FILE");
 }
 
 void ParameterOptions::addTo(CLI::App& command) {
+  addPreset(command);
   addRecipe(command);
   for (const ParameterInfo& parameter : describeParameters({})) addOne(command, "", parameter.name);
 }
@@ -56,6 +65,7 @@ void ParameterOptions::addOne(CLI::App& command, const std::string& shortName, c
 
 Parameters ParameterOptions::resolve() const {
   Parameters parameters;
+  if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
   if (!recipe_.empty()) readRecipe(readText(recipe_), parameters);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;

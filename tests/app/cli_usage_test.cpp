@@ -1,4 +1,5 @@
 // The command line as a contract: exit status, one line for what went wrong, the recipe.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include "app/parameter_text.h"
 #include "core/base/version.h"
+#include "core/pipeline/presets.h"
 #include "tests/app/cli_support.h"
 
 namespace sonoskin::test {
@@ -36,6 +38,7 @@ TEST(CommandLine, WrongUsageGivesTwo) {
       {"run", "phantom", "--out", "/tmp/x", "--phantom.dims", "10x20"},
       {"run", "phantom", "--out", "/tmp/x", "--mesh.piece", "smallest"},
       {"run", "phantom", "--out", "/tmp/x", "--mesh.piecePoint", "1,2,nan"},
+      {"run", "phantom", "--out", "/tmp/x", "--preset", "best"},
       {"render", "phantom", "--out", "/tmp/x.png", "--view", "inside"},
       {"render", "phantom", "--out", "/tmp/x.png", "--camera", "sideways"},
       {"render", "phantom", "--out", "/tmp/x.bmp"},
@@ -90,6 +93,27 @@ TEST(CommandLine, OptionsGoOnTopOfTheRecipeWhereverTheyStand) {
   const std::string expected = sonoskin({"recipe", "--classification.alpha", "0.9"}).out;
   EXPECT_EQ(sonoskin({"recipe", "--classification.alpha", "0.9", "--recipe", recipe}).out, expected);
   EXPECT_EQ(sonoskin({"recipe", "--recipe", recipe, "--classification.alpha", "0.9"}).out, expected);
+}
+
+TEST(CommandLine, PresetsGoUnderRecipeAndOptions) {
+  const TempFolder folder;
+  folder.write("r.json", R"({"classification":{"alpha":0.6,"gamma":0.5}})");
+  const auto recipe = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "recipe");
+    return nlohmann::json::parse(sonoskin(arguments).out);
+  };
+  const auto all = recipe({"--classification.gamma", "0.8", "--recipe", (folder / "r.json").string(),
+                           "--preset", "thesis-baby-2"});
+  EXPECT_EQ(all["classification"]["gamma"], 0.8);     // the option
+  EXPECT_EQ(all["classification"]["alpha"], 0.6);     // the recipe
+  EXPECT_EQ(all["classification"]["isoValue"], 0.3);  // the preset
+  EXPECT_EQ(recipe({"--preset", "default"}), recipe({}));
+}
+
+TEST(CommandLine, HelpNamesEveryPreset) {
+  const std::string help = sonoskin({"run", "--help"}).out;
+  for (const Preset& preset : presets())
+    EXPECT_NE(help.find(fmt::format("{}: {}", preset.name, preset.help)), std::string::npos) << preset.name;
 }
 
 TEST(CommandLine, BadRecipesGiveThree) {
