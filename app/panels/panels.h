@@ -11,10 +11,11 @@ void drawMenuBar(Workspace& workspace);
 
 // The side panel, from top to bottom.
 void drawVolumePanel(Workspace& workspace);
-void drawClassificationPanel(Workspace& workspace);  // the four first parameters
+void drawClassificationPanel(
+    Workspace& workspace);  // preset, the first parameters, the others under "Advanced"
 void drawReconstructionPanel(Workspace& workspace);
 void drawViewPanel(Workspace& workspace);
-void drawMorePanel(Workspace& workspace);  // all other parameters, a heading per group
+void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
 
 // The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time.
 void drawStatusBar(const Workspace& workspace);

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/theme.h"
+#include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/widget_rects.h"
 
@@ -43,10 +44,24 @@ void drawMeshFacts(const Session& session) {
   if (!session.meshIsCurrent()) fact("State", "older than the parameters", true);
 }
 
+// How smooth the next surface is: the one parameter of the fit that a person turns.
+void drawSmoothness(Session& session) {
+  static constexpr std::string_view kName = "smoothness";
+  Parameters parameters = session.parameters();
+  FieldsEdit edit;
+  if (beginFields("smoothness")) {
+    edit = editFields("reconstruction", parameters.reconstruction, {std::span(&kName, 1)});
+    endFields();
+  }
+  if (edit.changed) session.edit(parameters);
+  if (edit.finished) session.commitEdit();
+}
+
 }  // namespace
 
 void drawReconstructionPanel(Workspace& workspace) {
   section("Surface");
+  drawSmoothness(workspace.session);
   const Activity activity = workspace.session.activity();
   const Command& reconstruct = command("surface.reconstruct");
   if (mainButton(reconstruct.title, isEnabled(reconstruct, workspace) && !activity.blocking)) {

@@ -27,29 +27,26 @@ std::string withUnit(const std::string& number, const Field& field) {
 }
 
 // The left cell; the widget comes next.
-void label(const std::string& id, const Field& field) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(fieldLabel(field).c_str());
-  if (const std::string symbol = greekSymbol(field.symbol); symbol.size() == 2) {  // one Greek letter
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", symbol.c_str());
-  }
-  ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
-  ImGui::PushID(id.c_str());
+void label(const FieldRow& row) {
+  beginRow(row.text.label.empty() ? fieldLabel(row.field) : row.text.label, greekSymbol(row.field.symbol));
+  ImGui::PushID(row.id.c_str());
+  ImGui::BeginDisabled(!row.text.unused.empty());
 }
 
-void tooltip(const Field& field, const std::string& facts) {
+void tooltip(const FieldRow& row, const std::string& facts) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
-  std::string help(field.help);
+  std::string help(row.field.help);
   if (!help.empty()) help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
   ImGui::TextUnformatted((help + ".").c_str());
+  if (!row.text.unused.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+    ImGui::TextUnformatted(fmt::format("Not used now. {}.", row.text.unused).c_str());
+    ImGui::PopStyleColor();
+  }
   ImGui::PushStyleColor(ImGuiCol_Text, kFaintText);
-  if (!field.symbol.empty()) ImGui::Text("Symbol %s", greekSymbol(field.symbol).c_str());
+  if (!row.field.symbol.empty()) ImGui::Text("Symbol %s", greekSymbol(row.field.symbol).c_str());
   ImGui::TextUnformatted(facts.c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
@@ -58,10 +55,10 @@ void tooltip(const Field& field, const std::string& facts) {
 
 // After the widget: its name for tests, its tooltip, and the way back to the default.
 template <class T>
-FieldsEdit finish(const std::string& id, const Field& field, T& value, const T& standard,
-                  const std::string& facts) {
-  noteWidget(id);
-  tooltip(field, facts + "\nRight click or double click: default");
+FieldsEdit finish(const FieldRow& row, T& value, const T& standard, const std::string& facts) {
+  ImGui::EndDisabled();
+  noteWidget(row.id);
+  tooltip(row, facts + "\nRight click or double click: default");
   ImGui::PopID();
   const bool reset = ImGui::IsItemHovered() && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                                                 ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
@@ -109,6 +106,19 @@ FieldsEdit typeNumber(double& value, Range<double> range) {
 
 }  // namespace
 
+void beginRow(const std::string& text, const std::string& symbol) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  if (symbol.size() == 2 && (symbol[0] & 0x80) != 0) {  // one Greek letter
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", symbol.c_str());
+  }
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+}
+
 bool beginFields(const char* id) {
   if (!ImGui::BeginTable(id, 2)) return false;
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.46f);
@@ -119,9 +129,8 @@ bool beginFields(const char* id) {
 void endFields() { ImGui::EndTable(); }
 
 // The slider works on t in [0, 1], linear or by factors: ImGui's own logarithmic slider stops at 1e-3.
-FieldsEdit editField(const std::string& id, const Field& field, double& value, double standard,
-                     Range<double> range) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, double& value, double standard, Range<double> range) {
+  label(row);
   const bool byFactors = range.logarithmic && range.min > 0;
   const auto toSlider = [&](double v) {
     return byFactors ? std::log(v / range.min) / std::log(range.max / range.min)
@@ -136,30 +145,32 @@ FieldsEdit editField(const std::string& id, const Field& field, double& value, d
   if (typing()) {
     edit = typeNumber(value, range);
   } else {
-    double t = toSlider(value);
+    const double standing = toSlider(row.text.grab.value_or(value));
+    double t = standing;
     const double zero = 0, one = 1;
-    const std::string shown = literal(withUnit(fieldNumber(value, range), field));
+    const std::string shown =
+        literal(row.text.shown.empty() ? withUnit(fieldNumber(value, range), row.field) : row.text.shown);
     if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &t, &zero, &one, shown.c_str(),
                             ImGuiSliderFlags_NoInput) &&
-        t != toSlider(value)) {
+        t != standing) {
       value = fromSlider(t);
       edit.changed = true;
     }
     edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-    fillTrack(toSlider(value));
+    fillTrack(t);
     if (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl) beginTyping();
   }
-  edit |= finish(id, field, value, standard,
-                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), field),
+  edit |= finish(row, value, standard,
+                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), row.field),
                            fieldNumber(standard, range)));
   return edit;
 }
 
-FieldsEdit editField(const std::string& id, const Field& field, int& value, int standard, Range<int> range) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, int& value, int standard, Range<int> range) {
+  label(row);
   FieldsEdit edit;
   if (range.max - range.min <= kMostSliderSteps) {
-    const std::string format = withUnit("%d", field);
+    const std::string format = withUnit("%d", row.field);
     edit.changed = ImGui::SliderInt("##slider", &value, range.min, range.max, format.c_str(),
                                     ImGuiSliderFlags_AlwaysClamp);
     edit.finished = ImGui::IsItemDeactivatedAfterEdit();
@@ -172,65 +183,62 @@ FieldsEdit editField(const std::string& id, const Field& field, int& value, int 
     edit.changed = typed != value;
     value = typed;
   }
-  const std::string last = withUnit(std::to_string(range.max), field);
-  edit |= finish(id, field, value, standard,
-                 rangeText(std::to_string(range.min), last, std::to_string(standard)));
+  const std::string last = withUnit(std::to_string(range.max), row.field);
+  edit |= finish(row, value, standard, rangeText(std::to_string(range.min), last, std::to_string(standard)));
   return edit;
 }
 
-FieldsEdit editField(const std::string& id, const Field& field, bool& value, bool standard) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, bool& value, bool standard) {
+  label(row);
   FieldsEdit edit;
   edit.changed = edit.finished = ImGui::Checkbox("##box", &value);
-  edit |= finish(id, field, value, standard, standard ? "Default on" : "Default off");
+  edit |= finish(row, value, standard, standard ? "Default on" : "Default off");
   return edit;
 }
 
-FieldsEdit editField(const std::string& id, const Field& field, std::string& value,
-                     const std::string& standard) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, std::string& value, const std::string& standard) {
+  label(row);
   FieldsEdit edit;
   edit.changed = ImGui::InputText("##text", &value);
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-  edit |= finish(id, field, value, standard, standard.empty() ? "Default empty" : "Default " + standard);
+  edit |= finish(row, value, standard, standard.empty() ? "Default empty" : "Default " + standard);
   return edit;
 }
 
-FieldsEdit editChoice(const std::string& id, const Field& field, int& value, int standard,
-                      std::span<const char* const> names) {
-  label(id, field);
+FieldsEdit editChoice(const FieldRow& row, int& value, int standard, std::span<const char* const> names) {
+  label(row);
   FieldsEdit edit;
   edit.changed = edit.finished =
       ImGui::Combo("##choice", &value, names.data(), static_cast<int>(names.size()));
-  edit |= finish(id, field, value, standard, std::string("Default ") + names[std::size_t(standard)]);
+  edit |= finish(row, value, standard, std::string("Default ") + names[std::size_t(standard)]);
   return edit;
 }
 
-FieldsEdit editField(const std::string& id, const Field& field, std::array<int, 3>& value,
-                     const std::array<int, 3>& standard, Range<int> range) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, std::array<int, 3>& value, const std::array<int, 3>& standard,
+                     Range<int> range) {
+  label(row);
   FieldsEdit edit;
   std::array<int, 3> typed = value;
   ImGui::InputInt3("##numbers", typed.data());
   for (int& v : typed) v = std::clamp(v, range.min, range.max);
   edit = {typed != value, ImGui::IsItemDeactivatedAfterEdit()};
   value = typed;
-  edit |= finish(id, field, value, standard,
-                 rangeText(std::to_string(range.min), withUnit(std::to_string(range.max), field),
+  edit |= finish(row, value, standard,
+                 rangeText(std::to_string(range.min), withUnit(std::to_string(range.max), row.field),
                            fmt::format("{} x {} x {}", standard[0], standard[1], standard[2])));
   return edit;
 }
 
-FieldsEdit editField(const std::string& id, const Field& field, std::array<double, 3>& value,
-                     const std::array<double, 3>& standard, Range<double> range) {
-  label(id, field);
+FieldsEdit editField(const FieldRow& row, std::array<double, 3>& value, const std::array<double, 3>& standard,
+                     Range<double> range) {
+  label(row);
   FieldsEdit edit;
   const float speed = static_cast<float>(std::min(0.1, (range.max - range.min) / 1000));
   edit.changed = ImGui::DragScalarN("##numbers", ImGuiDataType_Double, value.data(), 3, speed, &range.min,
                                     &range.max, "%.1f", ImGuiSliderFlags_AlwaysClamp);
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-  edit |= finish(id, field, value, standard,
-                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), field),
+  edit |= finish(row, value, standard,
+                 rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), row.field),
                            fmt::format("{}, {}, {}", standard[0], standard[1], standard[2])));
   return edit;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,38 +23,55 @@ struct FieldsEdit {
   }
 };
 
+// RowText: what a row says beyond its field.
+struct RowText {
+  std::string label = {};           // instead of the field's own name
+  std::string shown = {};           // on a slider instead of the number
+  std::optional<double> grab = {};  // where the slider's grab stands instead of at the value
+  std::string unused = {};          // why the parameter has no effect just now; the row is grey then
+};
+
+// FieldRow: the parameter of one row. `id` is "group.field".
+struct FieldRow {
+  std::string id;
+  Field field;
+  RowText text = {};
+};
+
 // One row: label at the left, widget at the right; the tooltip has help, symbol, range and default. A double
-// click or the right button brings the default back, Ctrl+click lets one type. `id` is "group.field".
-FieldsEdit editField(const std::string& id, const Field& field, double& value, double standard,
+// click or the right button brings the default back, Ctrl+click lets one type.
+FieldsEdit editField(const FieldRow& row, double& value, double standard, Range<double> range);
+FieldsEdit editField(const FieldRow& row, int& value, int standard, Range<int> range);
+FieldsEdit editField(const FieldRow& row, bool& value, bool standard);
+FieldsEdit editField(const FieldRow& row, std::string& value, const std::string& standard);
+FieldsEdit editField(const FieldRow& row, std::array<int, 3>& value, const std::array<int, 3>& standard,
+                     Range<int> range);
+FieldsEdit editField(const FieldRow& row, std::array<double, 3>& value, const std::array<double, 3>& standard,
                      Range<double> range);
-FieldsEdit editField(const std::string& id, const Field& field, int& value, int standard, Range<int> range);
-FieldsEdit editField(const std::string& id, const Field& field, bool& value, bool standard);
-FieldsEdit editField(const std::string& id, const Field& field, std::string& value,
-                     const std::string& standard);
-FieldsEdit editField(const std::string& id, const Field& field, std::array<int, 3>& value,
-                     const std::array<int, 3>& standard, Range<int> range);
-FieldsEdit editField(const std::string& id, const Field& field, std::array<double, 3>& value,
-                     const std::array<double, 3>& standard, Range<double> range);
-FieldsEdit editChoice(const std::string& id, const Field& field, int& value, int standard,
-                      std::span<const char* const> names);
+FieldsEdit editChoice(const FieldRow& row, int& value, int standard, std::span<const char* const> names);
 
 template <NamedEnum E>
-FieldsEdit editField(const std::string& id, const Field& field, E& value, E standard) {
+FieldsEdit editField(const FieldRow& row, E& value, E standard) {
   constexpr auto names = enumNames(E{});
   int index = static_cast<int>(value);
-  const FieldsEdit edit = editChoice(id, field, index, static_cast<int>(standard), names);
+  const FieldsEdit edit = editChoice(row, index, static_cast<int>(standard), names);
   value = static_cast<E>(index);
   return edit;
 }
+
+// beginRow: the label of a row of one's own, with its symbol if that is a Greek letter; the widget comes next, over the
+// whole cell.
+void beginRow(const std::string& label, const std::string& symbol = {});
 
 // beginFields, endFields: around the rows of a group. False where nothing is seen.
 bool beginFields(const char* id);
 void endFields();
 
-// Rows: which fields of a group get a row. Without names all; else those, or all but those.
+// Rows: which fields of a group get a row, and what the rows say. Without names all; else those, or all but those.
 struct Rows {
   std::span<const std::string_view> names = {};
   bool except = false;
+  std::function<RowText(std::string_view name)> text = {};
   bool contain(std::string_view name) const {
     return names.empty() || (std::find(names.begin(), names.end(), name) != names.end()) != except;
   }
@@ -66,12 +85,13 @@ FieldsEdit editFields(std::string_view group, Options& options, const Rows& rows
   fields(
       [&](const Field& field, auto& value, auto... range) {
         if (!rows.contain(field.name)) return;
-        const std::string id = std::string(group) + "." + std::string(field.name);
+        const FieldRow row{std::string(group) + "." + std::string(field.name), field,
+                           rows.text ? rows.text(field.name) : RowText{}};
         fields(
             [&](const Field& other, const auto& standardValue, auto...) {
               if constexpr (std::is_same_v<std::decay_t<decltype(standardValue)>,
                                            std::decay_t<decltype(value)>>) {
-                if (other.name == field.name) edit |= editField(id, field, value, standardValue, range...);
+                if (other.name == field.name) edit |= editField(row, value, standardValue, range...);
               }
             },
             standard);

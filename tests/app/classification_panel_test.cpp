@@ -1,0 +1,117 @@
+// The panel of the classification without a window and without OpenGL.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/panels/panels.h"
+#include "app/panels/preset_row.h"
+#include "app/theme.h"
+#include "app/widgets/widget_rects.h"
+#include "core/pipeline/parameter_use.h"
+#include "core/pipeline/presets.h"
+
+namespace sonoskin::ui {
+namespace {
+
+class ClassificationPanel : public testing::Test {
+ protected:
+  void SetUp() override {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {400, 2000};
+    io.DeltaTime = 1.0f / 60;
+    io.UserData = &rects;
+    loadFonts(1);
+    applyTheme(1);
+    unsigned char* pixels;
+    int width, height;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    frames(2);
+  }
+  void TearDown() override { ImGui::DestroyContext(); }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      ImGui::NewFrame();
+      ImGui::SetNextWindowPos({0, 0});
+      ImGui::SetNextWindowSize({400, 2000});
+      ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+      drawClassificationPanel(workspace);
+      ImGui::End();
+      ImGui::Render();
+    }
+  }
+  void moveTo(const std::string& name, float share = 0.5f) {
+    const auto found = rects.byName.find(name);
+    ASSERT_NE(found, rects.byName.end()) << name;
+    const auto& [min, max] = found->second;
+    ImGui::GetIO().MousePos = {min.x + share * (max.x - min.x), 0.5f * (min.y + max.y)};
+    frames(2);
+  }
+  void click(const std::string& name, float share = 0.5f) {
+    moveTo(name, share);
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      frames(2);
+    }
+  }
+  const Parameters& parameters() { return workspace.session.parameters(); }
+
+  WidgetRects rects;
+  Workspace workspace{Parameters{}};
+};
+
+TEST_F(ClassificationPanel, HasARowForEveryFieldAndShowsFewAtFirst) {
+  const std::size_t few = rects.byName.size();
+  EXPECT_LT(few, 8u);
+  click("foldout.Advanced");
+  ClassificationOptions options;
+  fields(
+      [&](const Field& field, auto&, auto...) {
+        EXPECT_TRUE(rects.byName.contains("classification." + std::string(field.name))) << field.name;
+      },
+      options);
+}
+
+TEST_F(ClassificationPanel, APresetIsOneStepThatUndoTakesBack) {
+  Parameters own = parameters();
+  own.classification.gamma = 1.7;
+  workspace.session.edit(own);
+  workspace.session.commitEdit();
+  click("preset");
+  click("preset.smooth");
+  ASSERT_NE(matchingPreset(parameters()), nullptr);
+  EXPECT_EQ(matchingPreset(parameters())->name, "smooth");
+  workspace.session.undo();
+  EXPECT_EQ(parameters().classification.gamma, 1.7);
+  EXPECT_EQ(matchingPreset(parameters()), nullptr);
+  workspace.session.redo();
+  EXPECT_EQ(matchingPreset(parameters())->name, "smooth");
+}
+
+TEST_F(ClassificationPanel, WhatHasNoEffectCannotBeMoved) {
+  click("preset");
+  click("preset.thesis-baby-2");
+  const double beta = parameters().classification.beta;
+  click("classification.beta", 0.9f);
+  EXPECT_EQ(parameters().classification.beta, beta);
+  click("classification.isoValue", 0.5f);
+  EXPECT_NEAR(parameters().classification.isoValue, 0.5, 0.05);
+}
+
+TEST_F(ClassificationPanel, TheAutomaticIsoValueStaysAutomaticUntilItIsMoved) {
+  frames(5);
+  moveTo("classification.isoValue", 0.3f);
+  EXPECT_EQ(parameters().classification.isoValue, 0);
+  EXPECT_FALSE(workspace.session.canUndo());
+  click("classification.isoValue", 0.3f);
+  EXPECT_NEAR(parameters().classification.isoValue, 0.3, 0.05);
+}
+
+TEST(PresetRow, TitlesAreForPeople) {
+  EXPECT_EQ(presetTitle("default"), "Default");
+  EXPECT_EQ(presetTitle("thesis-baby-1"), "Thesis baby 1");
+}
+
+}  // namespace
+}  // namespace sonoskin::ui

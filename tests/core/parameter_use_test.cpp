@@ -1,0 +1,87 @@
+#include "core/pipeline/parameter_use.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/base/parallel.h"
+#include "core/classification/classify.h"
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+// Other values of a parameter, inside its range.
+struct Changed {
+  bool operator()(bool& value) const { return value = !value, true; }
+  bool operator()(double& value, Range<double> range) const {
+    value = 0.3 * range.min + 0.7 * range.max == value ? range.max : 0.3 * range.min + 0.7 * range.max;
+    return true;
+  }
+  template <NamedEnum E>
+  bool operator()(E& value) const {
+    return value = E((int(value) + 1) % int(enumNames(E{}).size())), true;
+  }
+};
+
+std::vector<float> classified(const Volume<float>& v, const ClassificationOptions& o) {
+  return classify(v, smooth(v, o), o).data;
+}
+
+// Whether moving the named parameter alone changes the classified volume.
+bool matters(const Volume<float>& v, const ClassificationOptions& options, std::string_view name) {
+  ClassificationOptions other = options;
+  fields(
+      [&](const Field& field, auto& member, auto... range) {
+        if (field.name == name) Changed{}(member, range...);
+      },
+      other);
+  return classified(v, options) != classified(v, other);
+}
+
+// What is called unused changes nothing, and what is not called so changes something: parameter by parameter.
+TEST(ParameterUse, AgreesWithTheClassification) {
+  setThreadCount(1);  // a team of threads costs more than this volume
+  const auto v = test::speckledSphere(test::grid({14, 13, 12}, {1, 1, 2}), {6, 6, 11}, 5, 0.5);
+  for (const Formulation f : {Formulation::variational, Formulation::thesisClosed, Formulation::thesisSkew}) {
+    Parameters p;
+    p.classification.formulation = f;
+    p.classification.isoValue = 0.4;
+    p.classification.farthest = 2;
+    p.classification.beta = 2;
+    p.classification.tolerance = 1e-4;
+    ClassificationOptions& o = p.classification;
+    fields(
+        [&](const Field& field, auto&, auto...) {
+          // The low-pass shapes normals and thinning too, whatever the formulation.
+          if (field.name == "lowPass" || field.name == "formulation") return;
+          const bool used = unusedBecause(p, "classification", field.name).empty();
+          EXPECT_EQ(matters(v, o, field.name), used) << field.name << " with formulation " << int(f);
+        },
+        o);
+  }
+  setThreadCount(0);
+}
+
+TEST(ParameterUse, WithoutSmoothingItsOtherParametersAreUnused) {
+  Parameters p;
+  EXPECT_TRUE(unusedBecause(p, "classification", "tangentialLength").empty());
+  p.classification.beta = 0;
+  EXPECT_FALSE(unusedBecause(p, "classification", "tangentialLength").empty());
+  EXPECT_TRUE(unusedBecause(p, "classification", "beta").empty());
+  p.classification.beta = 1;
+  p.classification.tangentialLength = 0;
+  EXPECT_FALSE(unusedBecause(p, "classification", "beta").empty());
+  EXPECT_TRUE(unusedBecause(p, "classification", "tangentialLength").empty());
+}
+
+TEST(ParameterUse, TheLargestPieceNeedsNoStrength) {
+  Parameters p;
+  EXPECT_TRUE(unusedBecause(p, "surface", "strongShare").empty());
+  p.surface.clusters = ClusterRule::largest;
+  EXPECT_FALSE(unusedBecause(p, "surface", "strongShare").empty());
+  EXPECT_TRUE(unusedBecause(p, "mesh", "strongShare").empty());
+}
+
+}  // namespace
+}  // namespace sonoskin
