@@ -12,9 +12,9 @@ namespace sonoskin {
 namespace {
 
 void smoothSkin(Parameters& p) {
-  p.classification.lowPass = 2;
-  p.classification.tangentialLength = 5;
-  p.reconstruction.smoothness = 8e-5;
+  p.classification.lowPass = 1.75;
+  p.classification.tangentialLength = 4;
+  p.reconstruction.smoothness = 7e-5;
 }
 
 void detailedSkin(Parameters& p) {
