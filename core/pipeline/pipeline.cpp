@@ -165,6 +165,8 @@ ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
   o.gradientReference *= factor;
   o.directionScale *= factor;
   o.alpha *= factor * factor;  // the iso-value term is a squared distance
+  // What its curl leaves grows with the voxels, so that it might refuse what the full volume allows.
+  if (o.formulation == Formulation::thesisSkew) o.formulation = Formulation::thesisClosed;
   return o;
 }
 

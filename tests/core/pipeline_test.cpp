@@ -166,5 +166,13 @@ TEST_F(PipelineTest, RefusesParametersOutOfRange) {
   EXPECT_THROW(pipeline.run(scan, parameters, Goal::mesh), Error);
 }
 
+TEST_F(PipelineTest, PreviewOfTheSkewSystemIsItsClosedForm) {
+  parameters.classification.formulation = Formulation::thesisSkew;
+  parameters.classification.beta = 4;
+  const Results skew = pipeline.preview(scan, parameters);
+  parameters.classification.formulation = Formulation::thesisClosed;
+  EXPECT_EQ(skew.classified->data, pipeline.preview(scan, parameters).classified->data);
+}
+
 }  // namespace
 }  // namespace sonoskin
