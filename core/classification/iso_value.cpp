@@ -1,68 +1,88 @@
 #include "core/classification/iso_value.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/volume/sample.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr int kBins = 256;
 constexpr double kSamples = 230'000;  // about so many voxels are looked at, evenly spread
-constexpr double kShare = 0.38;       // of the way from fluid to tissue
+constexpr float kMargin = 6;          // voxels from the recording's side, whose edge the low-pass blurs
+constexpr double kEdgeShare = 0.02;   // of them the steepest count as edges
+constexpr float kFacing = 0.3f;       // least cosine between gradient and beam at an edge of the skin
+constexpr double kShare = 0.2;        // of the way from the fluid to the edges
 
-using Histogram = std::array<double, kBins>;
+struct Sample {
+  float grey, gradient;
+  bool facing;  // dark to bright along the beam
+};
 
-Histogram sampleHistogram(const Volume<float>& volume, const FieldOfView& view) {
+Sample sampleAt(const Volume<float>& volume, const Beam& beam, const glm::ivec3& voxel) {
   const Geometry& g = volume.geometry;
-  const int stride = std::max(1, int(std::cbrt(double(g.voxels()) / kSamples)));
-  const int slices = (g.dims.z + stride - 1) / stride;
-  std::vector<Histogram> perSlice(std::size_t(slices), Histogram{});
-  parallelFor(slices, [&](std::ptrdiff_t slice) {
-    const int k = int(slice) * stride;
-    for (int j = 0; j < g.dims.y; j += stride)
-      for (int i = 0; i < g.dims.x; i += stride)
-        if (view.contains(glm::vec3(i, j, k) * glm::vec3(g.spacing)))
-          ++perSlice[std::size_t(slice)]
-                    [std::size_t(std::clamp(int(volume.at(i, j, k) * kBins), 0, kBins - 1))];
-  });
-  Histogram sum{};
-  for (const Histogram& h : perSlice)
-    for (std::size_t b = 0; b < kBins; ++b) sum[b] += h[b];
-  return sum;
+  const std::size_t index = g.index(voxel.x, voxel.y, voxel.z);
+  const glm::vec3 gradient = gradientAt(volume, g.axisScale(), index);
+  const glm::vec3 along(glm::transpose(g.direction) * beam.directionAt(g.toWorld(glm::dvec3(voxel))));
+  const float length = glm::length(gradient);
+  return {volume.data[index], length, glm::dot(gradient, along) > kFacing * length};
 }
 
-// The means, in bins, of the two classes whose means differ most, weighted by their sizes.
-std::array<double, 2> otsuMeans(const Histogram& histogram) {
-  double count = 0, sum = 0;
-  for (int b = 0; b < kBins; ++b) {
-    count += histogram[std::size_t(b)];
-    sum += histogram[std::size_t(b)] * b;
+std::vector<Sample> takeSamples(const Volume<float>& volume, const FieldOfView& view, const Beam& beam) {
+  const Geometry& g = volume.geometry;
+  const int stride = std::max(1, int(std::cbrt(double(g.voxels()) / kSamples)));
+  const int slices = (g.dims.z - 2 + stride - 1) / stride;
+  const auto margin = kMargin * float(g.minSpacing());
+  std::vector<std::vector<Sample>> perSlice(std::size_t(std::max(0, slices)));
+  parallelFor(slices, [&](std::ptrdiff_t slice) {
+    const int k = 1 + int(slice) * stride;
+    for (int j = 1; j < g.dims.y - 1; j += stride)
+      for (int i = 1; i < g.dims.x - 1; i += stride) {
+        const glm::vec3 position = glm::vec3(i, j, k) * glm::vec3(g.spacing);
+        if (view.contains(position) && view.depth(position) >= margin)
+          perSlice[std::size_t(slice)].push_back(sampleAt(volume, beam, {i, j, k}));
+      }
+  });
+  std::vector<Sample> samples;
+  for (const auto& some : perSlice) samples.insert(samples.end(), some.begin(), some.end());
+  return samples;
+}
+
+// The gradient that all but the steepest samples stay below.
+float steep(const std::vector<Sample>& samples) {
+  std::vector<float> gradients;
+  gradients.reserve(samples.size());
+  for (const Sample& s : samples) gradients.push_back(s.gradient);
+  const auto border = gradients.begin() + std::ptrdiff_t((1 - kEdgeShare) * double(gradients.size() - 1));
+  std::nth_element(gradients.begin(), border, gradients.end());
+  return *border;
+}
+
+// The mean of what `weight` gives each sample; `otherwise` where nothing has weight.
+template <class Weight>
+double meanGrey(const std::vector<Sample>& samples, double otherwise, const Weight& weight) {
+  double sum = 0, weights = 0;
+  for (const Sample& s : samples) {
+    const double w = weight(s);
+    sum += w * double(s.grey), weights += w;
   }
-  std::array<double, 2> best{0, kBins - 1};
-  double bestSpread = -1, below = 0, belowSum = 0;
-  for (int b = 0; b < kBins - 1; ++b) {
-    below += histogram[std::size_t(b)];
-    belowSum += histogram[std::size_t(b)] * b;
-    const double above = count - below;
-    if (below <= 0 || above <= 0) continue;
-    const double low = belowSum / below, high = (sum - belowSum) / above;
-    const double spread = below * above * (high - low) * (high - low);
-    if (spread <= bestSpread) continue;
-    bestSpread = spread;
-    best = {low, high};
-  }
-  return best;
+  return weights > 0 ? sum / weights : otherwise;
 }
 
 }  // namespace
 
-float proposeIsoValue(const Volume<float>& lowPassed, const FieldOfView& view) {
-  const auto [fluid, tissue] = otsuMeans(sampleHistogram(lowPassed, view));
-  return float(std::clamp((fluid + kShare * (tissue - fluid) + 0.5) / kBins, 0.02, 0.98));
+float proposeIsoValue(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
+  const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);
+  if (samples.empty()) return 0.5f;
+  const float least = steep(samples);
+  const double edge = meanGrey(samples, 0.5, [&](const Sample& s) {
+    return s.facing && s.gradient >= least ? double(s.gradient) : 0.0;
+  });
+  const double fluid =
+      meanGrey(samples, 0, [&](const Sample& s) { return double(s.grey) < edge ? 1.0 : 0.0; });
+  return float(std::clamp(fluid + kShare * (edge - fluid), 0.02, 0.98));
 }
 
 }  // namespace sonoskin

@@ -44,8 +44,9 @@ std::size_t bytesOf(const std::vector<Mesh>& pieces) {
 Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress& progress) {
   Prepared result;
   result.smoothed = smooth(*scan.volume, parameters.classification, progress.part(0, 0.7));
-  result.view = findFieldOfView(*scan.volume, beamOf(scan, parameters.scan), progress.part(0.7, 1));
-  result.proposedIso = proposeIsoValue(result.smoothed.lowPassed, result.view);
+  const Beam beam = beamOf(scan, parameters.scan);
+  result.view = findFieldOfView(*scan.volume, beam, progress.part(0.7, 1));
+  result.proposedIso = proposeIsoValue(result.smoothed.lowPassed, result.view, beam);
   return result;
 }
 
@@ -171,7 +172,7 @@ ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
 }
 
 Key preparedKey(const Scan& scan, const Parameters& p) {
-  Hasher hasher("prepare 1");
+  Hasher hasher("prepare 2");
   hasher.add(scan.key).add(p.classification.lowPass).add(p.classification.directionScale);
   addOptions(hasher, p.scan);
   return hasher.key();
