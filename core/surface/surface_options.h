@@ -27,9 +27,9 @@ struct SurfaceOptions {
   double threshold = 0.12;
   double strongThreshold = 0.5;
   ClusterRule clusters = ClusterRule::hysteresis;
-  double strongShare = 0.3;
+  double strongShare = 0.1;
   double minClusterArea = 60;
-  double facing = 0.3;
+  double facing = 0.1;
   double borderMargin = 4;
 };
 

@@ -2,29 +2,112 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "core/io/volume_reader.h"
+#include "core/phantom/fetal_face.h"
+#include "core/phantom/phantom.h"
+#include "core/volume/gaussian.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
 namespace {
 
-TEST(IsoValue, LiesBetweenFluidAndTissue) {
-  const auto volume = test::speckledSphere(test::grid({48, 48, 48}), glm::dvec3(24), 15, 0.1);  // 0.1 and 0.8
-  EXPECT_NEAR(proposeIsoValue(volume, {}), 0.1 + 0.38 * 0.7, 0.03);
+constexpr double kShare = 0.2;  // of the way from the fluid to the middle of the edge
+
+// A smooth step along j, the probe's axis, with its middle at j = at.
+double step(double j, double at, double low, double high) {
+  return low + (high - low) * 0.5 * (1 + std::tanh((j - at) / 2));
+}
+
+// A long beam, so that the flanks of the step weigh little beside fluid and tissue.
+Geometry beamOfVoxels() { return test::grid({16, 200, 16}); }
+
+TEST(IsoValue, LiesAFifthOfTheWayFromFluidToEdge) {
+  const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) { return step(p.y, 100.5, 0.1, 0.8); });
+  EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.1 + kShare * 0.35, 0.01);
+}
+
+TEST(IsoValue, DoesNotDependOnHowMuchIsFluid) {
+  for (const double border : {40.5, 100.5, 160.5}) {
+    const auto volume = test::fill(beamOfVoxels(), [&](glm::dvec3 p) { return step(p.y, border, 0.3, 0.6); });
+    EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.3 + kShare * 0.15, 0.01) << border;
+  }
+}
+
+TEST(IsoValue, IgnoresEdgesThatLookAway) {
+  // Fluid, skin, and behind it tissue that grows brighter and ends in the dark: that end is steeper than the skin.
+  const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) {
+    return p.y > 150 ? 0.1 : step(p.y, 100.5, 0.1, 0.5) + 0.5 * std::clamp((p.y - 110) / 40, 0.0, 1.0);
+  });
+  EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.1 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, DoesNotCountWhatLiesOutsideTheView) {
-  const auto volume = test::fill(test::grid({60, 20, 20}), [](glm::dvec3 p) {
-    return p.x < 30 ? 0.0 : p.x < 45 ? 0.4 : 0.8;  // a black margin beside fluid and tissue
+  const auto volume = test::fill(test::grid({60, 200, 16}), [](glm::dvec3 p) {
+    return p.x < 30 ? 0.0 : step(p.y, 100.5, 0.4, 0.8);  // a black margin beside fluid and tissue
   });
   const FieldOfView view{{glm::vec4(-1, 0, 0, 29.5)}, {}};
-  EXPECT_NEAR(proposeIsoValue(volume, view), 0.4 + 0.38 * 0.4, 0.01);
+  EXPECT_NEAR(proposeIsoValue(volume, view, {}), 0.4 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, OfAnEmptyVolumeIsInRange) {
-  const float iso = proposeIsoValue(Volume<float>(test::grid({8, 8, 8})), {});
+  const float iso = proposeIsoValue(Volume<float>(test::grid({8, 8, 8})), {}, {});
   EXPECT_GE(iso, 0.02f);
   EXPECT_LE(iso, 0.98f);
 }
+
+// The mean greys of a simulated scan: fluid more than 3 mm clear of everything, and the skin that faces the probe.
+struct Greys {
+  double fluid = 0, skin = 0;
+};
+
+Greys trueGreys(const Scan& scan) {
+  const Geometry& g = scan.volume->geometry;
+  double sum[2]{}, count[2]{};
+  for (int k = 0; k < g.dims.z; k += 2)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; i += 2) {
+        const glm::dvec3 p = g.toWorld({i, j, k});
+        const double value = double(scan.volume->at(i, j, k)), d = skinDistance(p);
+        if (value <= 0) continue;
+        const bool fluid = d > 3 && wallDistance(p) > 3, skin = d < 0 && d > -0.9 && p.y < 45;
+        if (skin && skinDistance(p - 0.2 * scan.beam->directionAt(p)) - d < 0.14) continue;  // turned away
+        if (!fluid && !skin) continue;
+        sum[skin] += value, count[skin] += 1;
+      }
+  return {sum[0] / count[0], sum[1] / count[1]};
+}
+
+TEST(IsoValue, LiesJustAboveTheFluidAtAllNoiseLevels) {
+  for (const double snr : {30.0, 20.0, 13.0, 8.0}) {
+    PhantomOptions options;
+    options.dims = {117, 64, 46};
+    options.snr = snr;
+    const Scan scan = makePhantomScan(options);
+    const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
+    const float iso = proposeIsoValue(low, findFieldOfView(*scan.volume, *scan.beam), *scan.beam);
+    const Greys greys = trueGreys(scan);
+    const double share = (double(iso) - greys.fluid) / (greys.skin - greys.fluid);
+    EXPECT_GT(share, 0.03) << "snr " << snr << ", fluid " << greys.fluid << ", skin " << greys.skin;
+    EXPECT_LT(share, 0.3) << "snr " << snr << ", fluid " << greys.fluid << ", skin " << greys.skin;
+  }
+}
+
+class IsoValueOfRealFace : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(IsoValueOfRealFace, IsNearTheOneThatAPersonChose) {
+  const std::filesystem::path file = std::filesystem::path(SONOSKIN_SHARED_DATA) / "fetus" / GetParam();
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const Scan scan = readScan(file);
+  const Beam beam = beamOf(scan, {});
+  const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
+  EXPECT_NEAR(proposeIsoValue(low, findFieldOfView(*scan.volume, beam), beam), 0.25, 0.07);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fetus, IsoValueOfRealFace,
+                         ::testing::Values("fetus_00.nrrd", "fetus_03.nrrd", "fetus_06.nrrd",
+                                           "fetus_09.nrrd"));
 
 }  // namespace
 }  // namespace sonoskin
