@@ -76,7 +76,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     frame.size = run.options.pictureSize;
     frame.beam = beamOf(scan, run.options.parameters.scan);
     VolumePictureOptions look;
-    look.iso = float(results.isoValue);
+    look.iso = float(results.visibleLevel);
     look.crop = boxAround(*results.mesh);
     const Progress progress = run.progress.part(kComputed, kDrawn);
     writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, frame));

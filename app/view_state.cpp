@@ -4,7 +4,7 @@ namespace sonoskin {
 
 double shownLevel(const ViewState& view, const Results& results) {
   constexpr double kStrongClassified = 0.3;
-  const double found = results.isoValue > 0 ? results.isoValue : 0.3;
+  const double found = results.visibleLevel > 0 ? results.visibleLevel : 0.3;
   return view.volumeLevel.value_or(view.volumeLayer == VolumeLayer::raw ? found : kStrongClassified);
 }
 

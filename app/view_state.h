@@ -50,7 +50,7 @@ struct ViewState {
   std::optional<Pane> maximised;
 };
 
-// shownLevel: the grey value at which the ray-caster sees a surface: the person's, else the iso-value that
+// shownLevel: the grey value at which the ray-caster sees a surface: the person's, else the visible level that
 // the pipeline used or, in the classified volume, what makes a strong surface voxel.
 double shownLevel(const ViewState& view, const Results& results);
 

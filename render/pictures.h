@@ -30,7 +30,7 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
                     const PictureOptions& options);
 
 // VolumePictureOptions: how a volume is shown.
-//   iso        0 to 1, the grey value at the skin's border; the pipeline's Results::isoValue where it ran
+//   iso        0 to 1, the grey value at the skin's border; the pipeline's Results::visibleLevel where it ran
 //   smoothing  standard deviation of a low-pass before, in units of the smallest spacing; 0: none
 //   crop       world mm; only what is inside is shown, and fills the picture; without one, everything
 struct VolumePictureOptions {

@@ -70,7 +70,7 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
     VolumePictureOptions look;
     look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
     const Results results = compute(o.whole ? Goal::classified : Goal::mesh);
-    look.iso = float(o.level > 0 ? o.level : results.isoValue);
+    look.iso = float(o.level > 0 ? o.level : results.visibleLevel);
     if (!o.whole) look.crop = boxAround(*results.mesh);
     console.beginStage("picture");
     return pictureOfVolume(context, scan.volume, look, o.picture);

@@ -14,7 +14,7 @@ constexpr double kSamples = 230'000;  // about so many voxels are looked at, eve
 constexpr float kMargin = 6;          // voxels from the recording's side, whose edge the low-pass blurs
 constexpr double kEdgeShare = 0.02;   // of them the steepest count as edges
 constexpr float kFacing = 0.3f;       // least cosine between gradient and beam at an edge of the skin
-constexpr double kShare = 0.2;        // of the way from the fluid to the edges
+constexpr double kIsoShare = 0.2, kVisibleShare = 0.6;  // of the way from the fluid to the edges
 
 struct Sample {
   float grey, gradient;
@@ -73,16 +73,19 @@ double meanGrey(const std::vector<Sample>& samples, double otherwise, const Weig
 
 }  // namespace
 
-float proposeIsoValue(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
+GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
   const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);
-  if (samples.empty()) return 0.5f;
+  if (samples.empty()) return {};
   const float least = steep(samples);
   const double edge = meanGrey(samples, 0.5, [&](const Sample& s) {
     return s.facing && s.gradient >= least ? double(s.gradient) : 0.0;
   });
   const double fluid =
       meanGrey(samples, 0, [&](const Sample& s) { return double(s.grey) < edge ? 1.0 : 0.0; });
-  return float(std::clamp(fluid + kShare * (edge - fluid), 0.02, 0.98));
+  const auto between = [&](double share) {
+    return float(std::clamp(fluid + share * (edge - fluid), 0.02, 0.98));
+  };
+  return {between(kIsoShare), between(kVisibleShare)};
 }
 
 }  // namespace sonoskin

@@ -22,7 +22,7 @@ namespace {
 struct Prepared {
   Smoothed smoothed;
   FieldOfView view;
-  float proposedIso = 0;
+  GreyLevels levels;
 };
 
 struct Points {
@@ -46,7 +46,7 @@ Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress&
   result.smoothed = smooth(*scan.volume, parameters.classification, progress.part(0, 0.7));
   const Beam beam = beamOf(scan, parameters.scan);
   result.view = findFieldOfView(*scan.volume, beam, progress.part(0.7, 1));
-  result.proposedIso = proposeIsoValue(result.smoothed.lowPassed, result.view, beam);
+  result.levels = proposeLevels(result.smoothed.lowPassed, result.view, beam);
   return result;
 }
 
@@ -203,8 +203,9 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
                                   [&](const Progress& p) { return prepare(scan, parameters, p); });
 
   ClassificationOptions classification = parameters.classification;
-  if (classification.isoValue <= 0) classification.isoValue = double(prepared->proposedIso);
+  if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
   results.isoValue = classification.isoValue;
+  results.visibleLevel = double(prepared->levels.visible);
   const Key classifyKey = keyOf("classify 1", prepareKey, classification);
   results.classified = run.stage(
       "classification", 0.5, stages_->classified, classifyKey,
@@ -257,8 +258,9 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, const 
   const auto prepared = run.stage("low-pass", 0.5, stages_->coarse, preparedKey(scan, parameters),
                                   [&](const Progress& p) { return prepare(coarse, coarser, p); });
   ClassificationOptions classification = coarser.classification;
-  if (classification.isoValue <= 0) classification.isoValue = double(prepared->proposedIso);
+  if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
   results.isoValue = classification.isoValue;
+  results.visibleLevel = double(prepared->levels.visible);
   results.classified = std::make_shared<const Volume<float>>(
       classify(*half, prepared->smoothed, classification, progress.part(0.5, 1)));
   return results;

@@ -26,8 +26,9 @@ enum class Goal { classified, points, mesh };
 
 // Results: what a run has made so far; later members are empty until their stage has run.
 struct Results {
-  double isoValue = 0;                                  // the iso-value used: given, or found from the volume
-  std::shared_ptr<const Volume<float>> classified;      // u in [0, 1]
+  double isoValue = 0;                              // the iso-value used: given, or found from the volume
+  double visibleLevel = 0;                          // the grey value that views of the volume take for skin
+  std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
   std::size_t centres = 0;                          // of the fitted function

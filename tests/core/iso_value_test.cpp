@@ -25,13 +25,13 @@ Geometry beamOfVoxels() { return test::grid({16, 200, 16}); }
 
 TEST(IsoValue, LiesAFifthOfTheWayFromFluidToEdge) {
   const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) { return step(p.y, 100.5, 0.1, 0.8); });
-  EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.1 + kShare * 0.35, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.1 + kShare * 0.35, 0.01);
 }
 
 TEST(IsoValue, DoesNotDependOnHowMuchIsFluid) {
   for (const double border : {40.5, 100.5, 160.5}) {
     const auto volume = test::fill(beamOfVoxels(), [&](glm::dvec3 p) { return step(p.y, border, 0.3, 0.6); });
-    EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.3 + kShare * 0.15, 0.01) << border;
+    EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.3 + kShare * 0.15, 0.01) << border;
   }
 }
 
@@ -40,7 +40,7 @@ TEST(IsoValue, IgnoresEdgesThatLookAway) {
   const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) {
     return p.y > 150 ? 0.1 : step(p.y, 100.5, 0.1, 0.5) + 0.5 * std::clamp((p.y - 110) / 40, 0.0, 1.0);
   });
-  EXPECT_NEAR(proposeIsoValue(volume, {}, {}), 0.1 + kShare * 0.2, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.1 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, DoesNotCountWhatLiesOutsideTheView) {
@@ -48,11 +48,11 @@ TEST(IsoValue, DoesNotCountWhatLiesOutsideTheView) {
     return p.x < 30 ? 0.0 : step(p.y, 100.5, 0.4, 0.8);  // a black margin beside fluid and tissue
   });
   const FieldOfView view{{glm::vec4(-1, 0, 0, 29.5)}, {}};
-  EXPECT_NEAR(proposeIsoValue(volume, view, {}), 0.4 + kShare * 0.2, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, view, {}).isoValue, 0.4 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, OfAnEmptyVolumeIsInRange) {
-  const float iso = proposeIsoValue(Volume<float>(test::grid({8, 8, 8})), {}, {});
+  const float iso = proposeLevels(Volume<float>(test::grid({8, 8, 8})), {}, {}).isoValue;
   EXPECT_GE(iso, 0.02f);
   EXPECT_LE(iso, 0.98f);
 }
@@ -86,7 +86,7 @@ TEST(IsoValue, LiesJustAboveTheFluidAtAllNoiseLevels) {
     options.snr = snr;
     const Scan scan = makePhantomScan(options);
     const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
-    const float iso = proposeIsoValue(low, findFieldOfView(*scan.volume, *scan.beam), *scan.beam);
+    const float iso = proposeLevels(low, findFieldOfView(*scan.volume, *scan.beam), *scan.beam).isoValue;
     const Greys greys = trueGreys(scan);
     const double share = (double(iso) - greys.fluid) / (greys.skin - greys.fluid);
     EXPECT_GT(share, 0.03) << "snr " << snr << ", fluid " << greys.fluid << ", skin " << greys.skin;
@@ -102,7 +102,7 @@ TEST_P(IsoValueOfRealFace, IsNearTheOneThatAPersonChose) {
   const Scan scan = readScan(file);
   const Beam beam = beamOf(scan, {});
   const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
-  EXPECT_NEAR(proposeIsoValue(low, findFieldOfView(*scan.volume, beam), beam), 0.25, 0.07);
+  EXPECT_NEAR(proposeLevels(low, findFieldOfView(*scan.volume, beam), beam).isoValue, 0.25, 0.07);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fetus, IsoValueOfRealFace,

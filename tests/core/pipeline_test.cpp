@@ -58,7 +58,7 @@ TEST_F(PipelineTest, MakesTheFrontOfTheBall) {
   }
   const double mean = sum / double(r.mesh->positions.size());
   const double spread = std::sqrt(squares / double(r.mesh->positions.size()) - mean * mean);
-  EXPECT_LT(std::abs(mean), 0.3) << "a voxel of systematic offset";
+  EXPECT_LT(std::abs(mean), 0.6) << "two voxels: the iso-value lies at the foot of the edge";
   EXPECT_LT(spread, 0.1) << "a third of a voxel around it";
   for (std::size_t v = 0; v < r.mesh->positions.size(); ++v)
     EXPECT_GT(glm::dot(r.mesh->normals[v], r.mesh->positions[v] - glm::vec3(kCentre)), 0)

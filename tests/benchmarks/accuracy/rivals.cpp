@@ -47,8 +47,9 @@ Finding isoContour(const Scan& scan, const Parameters& parameters) {
   const ScanFrame frame = frameOf(scan, parameters);
   const float given = float(parameters.classification.isoValue);
   const float iso = given > 0 ? given
-                              : proposeIsoValue(gaussianBlur(*scan.volume, parameters.classification.lowPass),
-                                                frame.view, frame.beam);
+                              : proposeLevels(gaussianBlur(*scan.volume, parameters.classification.lowPass),
+                                              frame.view, frame.beam)
+                                    .isoValue;
   std::vector<std::vector<SurfaceVoxel>> perSlice(std::size_t(g.dims.z));
   parallelFor(g.dims.z - 2, [&](std::ptrdiff_t inner) {
     const int k = int(inner) + 1;
