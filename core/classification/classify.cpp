@@ -25,19 +25,24 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
   if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
-  const DataTerm term = dataTerm(volume, smoothed.lowPassed, options, progress.part(0, 0.1));
+  DataTerm term = dataTerm(volume, smoothed.lowPassed, options, progress.part(0, 0.1));
   const TangentialOperator tangential(smoothed.directions, absoluteBeta(options));
-  Solution solution = solveClassification(tangential, term, options.tolerance, progress.part(0.1, 1));
+  Solution solution = solvePcg(tangential, std::move(term), options.tolerance, progress.part(0.1, 1));
   Volume<float> result;
   result.geometry = volume.geometry;
   result.data = std::move(solution.u);
-  // The operator is no M-matrix: u overshoots its bounds by up to 2 %.
-  const std::size_t slice = volume.geometry.index(0, 0, 1);
-  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
-    float* u = result.data.data() + std::size_t(k) * slice;
-    for (std::size_t i = 0; i < slice; ++i) u[i] = std::clamp(u[i], 0.0f, float(options.target));
-  });
+  clampToTarget(result, options);
   return result;
+}
+
+void clampToTarget(Volume<float>& u, const ClassificationOptions& options) {
+  const std::size_t slice = u.geometry.index(0, 0, 1);
+  const float target = float(options.target);
+  parallelFor(u.geometry.dims.z, [&](std::ptrdiff_t k) {
+    float* row = u.data.data() + std::size_t(k) * slice;
+#pragma omp simd
+    for (std::size_t i = 0; i < slice; ++i) row[i] = std::min(std::max(row[i], 0.0f), target);
+  });
 }
 
 }  // namespace sonoskin

@@ -33,4 +33,7 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress = {});
 
+// clampToTarget: u clamped to [0, uind]. The operator is no M-matrix: a solution overshoots by up to 2 %.
+void clampToTarget(Volume<float>& u, const ClassificationOptions& options);
+
 }  // namespace sonoskin

@@ -33,32 +33,35 @@ void squaredGradientRow(const Volume<float>& v, int j, int k, float* out) {
 
 }  // namespace
 
-DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
-                  const Progress& progress) {
-  const Geometry& geometry = raw.geometry;
-  DataTerm term{std::vector<float>(geometry.voxels()), std::vector<float>(geometry.voxels())};
+void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
+                 int j, int k, float* diagonal, float* right) {
   const float iso = float(o.isoValue), w = float(o.rawShare), noise = float(o.noiseFloor * o.noiseFloor);
   const float alpha = float(o.alpha), gamma = float(o.gamma), delta = float(o.gradientFloor);
   const float perReference = float(1 / o.gradientReference), target = float(o.target);
   const float farthest = float(o.farthest * o.farthest);
-  const Volume<float>& edges = o.gradientSource == GradientSource::raw ? raw : lowPassed;
+  const float *v = &raw.at(0, j, k), *low = &lowPassed.at(0, j, k);
+  squaredGradientRow(o.gradientSource == GradientSource::raw ? raw : lowPassed, j, k, right);
+  const int count = raw.geometry.dims.x;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const float dv = v[i] - iso, dl = low[i] - iso, g2 = right[i];
+    const float a = (w * dv * dv + (1 - w) * dl * dl + noise) / (g2 + kFlatGradient);
+    const float h = gamma * (delta + (1 - delta) * std::min(1.0f, std::sqrt(g2) * perReference));
+    diagonal[i] = alpha * std::min(a, farthest) + h;
+    right[i] = h * target;
+  }
+}
+
+DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
+                  const Progress& progress) {
+  const Geometry& geometry = raw.geometry;
+  DataTerm term{LargeArray<float>(geometry.voxels()), LargeArray<float>(geometry.voxels())};
   parallelFor(
       geometry.dims.z,
       [&](std::ptrdiff_t k) {
-        std::vector<float> gradient(std::size_t(geometry.dims.x));
         for (int j = 0; j < geometry.dims.y; ++j) {
-          squaredGradientRow(edges, j, int(k), gradient.data());
           const std::size_t start = geometry.index(0, j, int(k));
-          const float *v = &raw.data[start], *low = &lowPassed.data[start], *g2 = gradient.data();
-          float *c = &term.diagonal[start], *b = &term.right[start];
-#pragma omp simd
-          for (int i = 0; i < geometry.dims.x; ++i) {
-            const float dv = v[i] - iso, dl = low[i] - iso;
-            const float a = (w * dv * dv + (1 - w) * dl * dl + noise) / (g2[i] + kFlatGradient);
-            const float h = gamma * (delta + (1 - delta) * std::min(1.0f, std::sqrt(g2[i]) * perReference));
-            c[i] = alpha * std::min(a, farthest) + h;
-            b[i] = h * target;
-          }
+          dataTermRow(raw, lowPassed, o, j, int(k), &term.diagonal[start], &term.right[start]);
         }
       },
       progress);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/base/progress.h"
 #include "core/classification/classification_options.h"
 #include "core/volume/volume.h"
@@ -17,7 +15,7 @@ namespace sonoskin {
 //   h = delta + (1 - delta) min(1, |grad| / gref)
 //   grad: of v~ or of v, as gradientSource says
 struct DataTerm {
-  std::vector<float> diagonal, right;
+  LargeArray<float> diagonal, right;
 };
 
 // dataTerm: see above.
@@ -26,6 +24,11 @@ struct DataTerm {
 //   errors          Cancelled
 DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed,
                   const ClassificationOptions& options, const Progress& progress = {});
+
+// dataTermRow: the same for the row of voxels (., j, k).
+//   diagonal, right  room for dims.x values
+void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed,
+                 const ClassificationOptions& options, int j, int k, float* diagonal, float* right);
 
 // absoluteBeta: the beta of the functional that smooths over the options' tangential length at a typical
 // edge: beta l^2 gamma h_ref, h_ref = h at |grad| = 0.06.

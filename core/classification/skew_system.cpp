@@ -16,7 +16,7 @@ constexpr int kMostSweeps = 1000;
 // The system with every row divided by its diagonal: u + x (u+x - u-x) + y (u+y - u-y) + z (u+z - u-z) = right.
 struct Scaled {
   Geometry geometry;
-  std::vector<float> x, y, z, right;
+  LargeArray<float> x, y, z, right;
   double dominance = 0;
 };
 
@@ -73,7 +73,8 @@ Scaled assemble(const Volume<float>& volume, const ClassificationOptions& o, con
   const Geometry& g = volume.geometry;
   const std::size_t n = g.voxels(), rowSize = std::size_t(g.dims.x);
   const std::ptrdiff_t up = g.dims.x, plane = std::ptrdiff_t(g.index(0, 0, 1));
-  Scaled s{g, std::vector<float>(n), std::vector<float>(n), std::vector<float>(n), std::vector<float>(n)};
+  Scaled s{g, LargeArray<float>(n, 0.0f), LargeArray<float>(n, 0.0f), LargeArray<float>(n, 0.0f),
+           LargeArray<float>(n)};
   const auto cross =
       o.curl == CurlDifferences::forward ? crossRow<ForwardOfCentral> : crossRow<CentralOfCentral>;
   std::vector<float> worst(std::size_t(g.dims.z), 0.0f);
@@ -100,8 +101,7 @@ Scaled assemble(const Volume<float>& volume, const ClassificationOptions& o, con
 
 // One sweep from `u` to `next`: returns the sum of the squared changes, which is that of D^-1 (b - A u). The outermost
 // voxels, whose rows are diagonal, are left alone: they have their solution from the start.
-double sweep(const Scaled& s, const std::vector<float>& u, std::vector<float>& next,
-             const Progress& progress) {
+double sweep(const Scaled& s, const LargeArray<float>& u, LargeArray<float>& next, const Progress& progress) {
   const Geometry& g = s.geometry;
   const std::ptrdiff_t up = g.dims.x, plane = std::ptrdiff_t(g.index(0, 0, 1));
   std::vector<double> perSlice(std::size_t(g.dims.z), 0.0);
@@ -132,7 +132,7 @@ double sweep(const Scaled& s, const std::vector<float>& u, std::vector<float>& n
   return sum;
 }
 
-double squaredNorm(const std::vector<float>& values, const Geometry& g) {
+double squaredNorm(const LargeArray<float>& values, const Geometry& g) {
   const std::size_t slice = g.index(0, 0, 1);
   std::vector<double> perSlice(std::size_t(g.dims.z), 0.0);
   parallelFor(g.dims.z, [&](std::ptrdiff_t k) {
@@ -171,7 +171,7 @@ SkewSolution solveSkewSystem(const Volume<float>& volume, const ClassificationOp
   const double size = std::max(std::sqrt(squaredNorm(system.right, system.geometry)), 1e-300);
   solution.u.geometry = volume.geometry;
   solution.u.data = system.right;
-  std::vector<float> next = system.right;
+  LargeArray<float> next = system.right;
   double first = 0;
   do {
     require(

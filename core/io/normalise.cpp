@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 #include "core/base/parallel.h"
 
@@ -67,7 +68,7 @@ Volume<float> valuesOf(const StoredVolume& s, const std::uint8_t* n, const Progr
   return {};
 }
 
-std::pair<double, double> extremes(const std::vector<float>& data) {
+std::pair<double, double> extremes(std::span<const float> data) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const float v : data) {
     if (!std::isfinite(v)) continue;
@@ -77,7 +78,7 @@ std::pair<double, double> extremes(const std::vector<float>& data) {
   return low <= high ? std::pair<double, double>(low, high) : std::pair<double, double>(0, 0);
 }
 
-std::pair<double, double> percentiles(const std::vector<float>& data) {
+std::pair<double, double> percentiles(std::span<const float> data) {
   // An odd stride does not fall into step with rows of even length.
   const std::size_t stride = (data.size() / kSamples) | 1;
   std::vector<float> sample;

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/timer.h"
 #include "core/classification/classify.h"
+#include "core/classification/coarser_options.h"
 #include "core/classification/iso_value.h"
 #include "core/mesh/components.h"
 #include "core/pipeline/check_ranges.h"
@@ -157,19 +158,6 @@ class Run {
   Results& results_;
   double at_ = 0;
 };
-
-// coarserOptions: the same filter for voxels that are `factor` times as large: lengths shrink, gradients grow.
-ClassificationOptions coarserOptions(ClassificationOptions o, double factor) {
-  o.lowPass /= factor;
-  o.tangentialLength /= factor;
-  o.farthest /= factor;
-  o.gradientReference *= factor;
-  o.directionScale *= factor;
-  o.alpha *= factor * factor;  // the iso-value term is a squared distance
-  // What its curl leaves grows with the voxels, so that it might refuse what the full volume allows.
-  if (o.formulation == Formulation::thesisSkew) o.formulation = Formulation::thesisClosed;
-  return o;
-}
 
 Key preparedKey(const Scan& scan, const Parameters& p) {
   Hasher hasher("prepare 2");

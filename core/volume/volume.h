@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
+
+#include "core/base/large_array.h"
 
 namespace sonoskin {
 
@@ -39,10 +40,17 @@ struct Geometry {
 template <class T>
 struct Volume {
   Geometry geometry;
-  std::vector<T> data;
+  LargeArray<T> data;
 
   Volume() = default;
   explicit Volume(const Geometry& g, T value = T{}) : geometry(g), data(g.voxels(), value) {}
+  // unset: for those who write every voxel themselves.
+  static Volume unset(const Geometry& g) {
+    Volume volume;
+    volume.geometry = g;
+    volume.data.resize(g.voxels());
+    return volume;
+  }
 
   T& at(int i, int j, int k) { return data[geometry.index(i, j, k)]; }
   const T& at(int i, int j, int k) const { return data[geometry.index(i, j, k)]; }

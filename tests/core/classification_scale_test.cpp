@@ -37,7 +37,7 @@ std::string nrrdOf(const Volume<float>& v, const std::string& type, double facto
   return text;
 }
 
-std::vector<float> classified(const Volume<float>& volume, Formulation formulation) {
+LargeArray<float> classified(const Volume<float>& volume, Formulation formulation) {
   ClassificationOptions o;
   o.formulation = formulation;
   o.isoValue = 0.4;
@@ -45,7 +45,7 @@ std::vector<float> classified(const Volume<float>& volume, Formulation formulati
   return classify(volume, smooth(volume, o), o).data;
 }
 
-void expectSame(const std::vector<float>& a, const std::vector<float>& b, double tolerance) {
+void expectSame(const LargeArray<float>& a, const LargeArray<float>& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], tolerance) << i;
 }

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/classification/data_term.h"
 #include "core/classification/pcg.h"
+#include "tests/support/tangential.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -30,11 +31,9 @@ Eigen::SparseMatrix<double> assembled(const TangentialOperator& k, const DataTer
   std::vector<float> unit(n, 0.0f);
   for (std::size_t column = 0; column < n; ++column) {
     unit[column] = 1;
-    k.forEachRow(unit, [&](int j, int slice, const float* ku) {
-      const std::size_t start = k.geometry().index(0, j, slice);
-      for (int i = 0; i < k.geometry().dims.x; ++i)
-        if (ku[i] != 0) entries.emplace_back(int(start) + i, int(column), double(ku[i]));
-    });
+    const std::vector<float> ku = test::applied(k, unit);
+    for (std::size_t row = 0; row < n; ++row)
+      if (ku[row] != 0) entries.emplace_back(int(row), int(column), double(ku[row]));
     unit[column] = 0;
     entries.emplace_back(int(column), int(column), double(term.diagonal[column]));
   }
@@ -51,7 +50,7 @@ TEST(Classify, EqualsADirectSolve) {
   const Smoothed smoothed = smooth(volume, options);
   const DataTerm term = dataTerm(volume, smoothed.lowPassed, options);
   const TangentialOperator k(smoothed.directions, absoluteBeta(options));
-  const Solution solution = solveClassification(k, term, 1e-6);
+  const Solution solution = solvePcg(k, term, 1e-6);
 
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> direct(assembled(k, term));
   ASSERT_EQ(direct.info(), Eigen::Success);

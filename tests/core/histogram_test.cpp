@@ -13,7 +13,7 @@ namespace {
 TEST(Quantile, AgreesWithSorting) {
   Volume<float> volume(test::grid({21, 17, 13}));
   for (std::size_t i = 0; i < volume.data.size(); ++i) volume.data[i] = float(std::pow(test::noise(i), 3));
-  std::vector<float> sorted = volume.data;
+  auto sorted = volume.data;
   std::sort(sorted.begin(), sorted.end());
   for (const double share : {0.01, 0.5, 0.9, 0.998})
     EXPECT_NEAR(quantile(volume, share), sorted[std::size_t(share * double(sorted.size()))], 0.003) << share;

@@ -24,7 +24,7 @@ struct Changed {
   }
 };
 
-std::vector<float> classified(const Volume<float>& v, const ClassificationOptions& o) {
+LargeArray<float> classified(const Volume<float>& v, const ClassificationOptions& o) {
   return classify(v, smooth(v, o), o).data;
 }
 

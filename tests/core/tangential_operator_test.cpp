@@ -2,26 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
-#include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "tests/support/tangential.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
 namespace {
 
+using test::applied;
 using test::fill;
 using test::grid;
 using test::noise;
-
-std::vector<float> applied(const TangentialOperator& k, const std::vector<float>& u) {
-  std::vector<float> result(u.size());
-  k.forEachRow(u, [&](int j, int slice, const float* ku) {
-    std::copy_n(ku, k.geometry().dims.x, &result[k.geometry().index(0, j, slice)]);
-  });
-  return result;
-}
 
 std::vector<float> noiseField(const Geometry& g, std::uint64_t seed) {
   std::vector<float> u(g.voxels());
@@ -29,7 +22,8 @@ std::vector<float> noiseField(const Geometry& g, std::uint64_t seed) {
   return u;
 }
 
-double dot(const std::vector<float>& a, const std::vector<float>& b) {
+template <class A, class B>
+double dot(const A& a, const B& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += double(a[i]) * double(b[i]);
   return sum;
@@ -94,22 +88,44 @@ TEST_F(TangentialOperatorTest, DiagonalIsWhatAProbeFinds) {
   }
 }
 
-TEST_F(TangentialOperatorTest, SameBitsOnAnyNumberOfThreads) {
-  const auto u = noiseField(geometry, 4);
-  setThreadCount(1);
-  const auto one = applied(k, u);
-  setThreadCount(3);
-  const auto three = applied(k, u);
-  setThreadCount(0);
-  EXPECT_EQ(one, three);
+// A volume of several tiles along each axis, the last ones cut: tiles must fit together. The twin gathers cell by cell.
+TEST(TangentialOperator, TilesFitTogether) {
+  const Geometry g = grid(2 * kTileSize + glm::ivec3(5, 1, 3), {0.3, 0.3, 0.6});
+  const auto volume = test::speckledSphere(g, 0.15 * glm::dvec3(g.dims), 4, 0.5);
+  const auto directions = std::make_shared<const Directions>(cellDirections(volume, 0.02));
+  const TangentialOperator k(directions, 2);
+  const auto u = noiseField(g, 7);
+  std::vector<double> expected(g.voxels(), 0.0);
+  const glm::dvec3 scale(g.axisScale());
+  for (int c = 0; c + 1 < g.dims.z; ++c)
+    for (int b = 0; b + 1 < g.dims.y; ++b)
+      for (int a = 0; a + 1 < g.dims.x; ++a) {
+        const std::size_t cell = g.index(a, b, c);
+        const glm::dvec3 q =
+            glm::dvec3(directions->x[cell], directions->y[cell], directions->z[cell]) / 127.0;
+        std::array<std::pair<std::size_t, glm::dvec3>, 8> corners;
+        glm::dvec3 gradient(0);
+        for (int n = 0; n < 8; ++n) {
+          const glm::ivec3 up(n & 1, n >> 1 & 1, n >> 2);
+          corners[std::size_t(n)] = {g.index(a + up.x, b + up.y, c + up.z),
+                                     0.25 * scale * (2.0 * glm::dvec3(up) - 1.0)};
+          gradient += corners[std::size_t(n)].second * double(u[corners[std::size_t(n)].first]);
+        }
+        const glm::dvec3 flux = 2.0 * (glm::dot(q, q) * gradient - q * glm::dot(q, gradient));
+        for (const auto& [voxel, e] : corners) expected[voxel] += glm::dot(e, flux);
+      }
+  const auto ku = applied(k, u);
+  for (std::size_t v = 0; v < ku.size(); ++v) ASSERT_NEAR(ku[v], expected[v], 2e-5) << "voxel " << v;
 }
 
-TEST_F(TangentialOperatorTest, StopsWhenCancelled) {
-  ProgressSink sink;
-  sink.cancel = true;
-  EXPECT_THROW(k.forEachRow(
-                   noiseField(geometry, 5), [](int, int, const float*) {}, Progress(sink)),
-               Cancelled);
+TEST(TangentialOperator, KnowsItsLargestEigenvalue) {
+  const auto of = [](glm::dvec3 spacing) {
+    const Geometry g = grid({8, 8, 8}, spacing);
+    const auto directions = std::make_shared<const Directions>(cellDirections(Volume<float>(g, 0.0f), 0.02));
+    return TangentialOperator(directions, 1).largestEigenvalue();
+  };
+  EXPECT_NEAR(of({1, 1, 1}), 4, 1e-6);
+  EXPECT_NEAR(of({1, 1, 3}), 7.2, 0.01);  // n along x: S D S = diag(0, 1, 1/9), 8 / (1 + 1/9)
 }
 
 // A wave whose gradient is everywhere along one direction is not smoothed across itself.

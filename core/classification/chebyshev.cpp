@@ -1,0 +1,257 @@
+#include "core/classification/chebyshev.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/classification/residual.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr int kMaxSweeps = 100;
+constexpr double kDiverged = 8;  // times the smallest residual so far
+constexpr float kWakePerRest = 4;
+constexpr std::size_t kPowerTiles = 12;
+constexpr int kPowerSteps = 8;
+constexpr double kPowerMargin = 1.15;
+constexpr float kRestPerTolerance = 2;
+// The smallest eigenvalue is not reached: voxels with the smallest c/D have neighbours with larger ones.
+constexpr double kLowestOverBound = 2;
+
+// The two numbers of each step, by the recurrence of Chebyshev's polynomials.
+class ChebyshevSteps {
+ public:
+  ChebyshevSteps(double lowest, double highest)
+      : centre_((highest + lowest) / 2), radius_((highest - lowest) / 2), sigma_(centre_ / radius_) {}
+  struct Step {
+    float momentum, length;
+  };
+  Step next() {
+    const double before = rho_;
+    rho_ = before == 0 ? 1 / sigma_ : 1 / (2 * sigma_ - before);
+    if (before == 0) return {0, float(1 / centre_)};
+    return {float(rho_ * before), float(2 * rho_ / radius_)};
+  }
+
+ private:
+  double centre_, radius_, sigma_, rho_ = 0;
+};
+
+// What a sweep finds in one tile.
+struct TileState {
+  float residual = 0;  // sum of squares of b - A u
+  float step = 0;      // the largest |D^-1 (b - A u)|
+};
+
+// One row of voxels: makes `next`, which holds the u before, the u after.
+void advanceRow(const ScaledSystem& system, std::size_t at, const float* ku, ChebyshevSteps::Step step,
+                const float* u, float* next, int count, TileState& state) {
+  const Half *right = &system.right[at], *own = &system.own[at], *inverse = &system.inverse[at];
+  const float momentum = step.momentum, length = step.length;
+  const bool first = momentum == 0;  // `next` is not set yet
+  float sum = 0, largest = state.step;
+#pragma omp simd reduction(+ : sum) reduction(max : largest)
+  for (int i = 0; i < count; ++i) {
+    const float d = toFloat(inverse[i]);
+    const float scaled = toFloat(right[i]) - toFloat(own[i]) * u[i] - d * ku[i];
+    const float residual = scaled / d;
+    sum += residual * residual;
+    largest = std::max(largest, std::abs(scaled));
+    next[i] = u[i] + momentum * (u[i] - (first ? u[i] : next[i])) + length * scaled;
+  }
+  state.residual += sum;
+  state.step = largest;
+}
+
+std::size_t voxelsOf(const Tile& tile) {
+  const glm::ivec3 size = tile.last - tile.first;
+  return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+}
+
+// The largest eigenvalue of D^-1 A for vectors that live in one tile, by power steps; `x` is scratch.
+double tileEigenvalue(const TangentialOperator& k, const ScaledSystem& system, const Tile& tile,
+                      LargeArray<float>& x) {
+  const Geometry& g = k.geometry();
+  const glm::ivec3 size = tile.last - tile.first;
+  const glm::ivec3 low = glm::max(tile.first - 1, glm::ivec3(0)), high = glm::min(tile.last + 1, g.dims);
+  for (int c = low.z; c < high.z; ++c)
+    for (int b = low.y; b < high.y; ++b)
+      for (int a = low.x; a < high.x; ++a) x[g.index(a, b, c)] = 0;
+  std::uint32_t random = 1;
+  for (int c = tile.first.z; c < tile.last.z; ++c)
+    for (int b = tile.first.y; b < tile.last.y; ++b)
+      for (int a = tile.first.x; a < tile.last.x; ++a)
+        x[g.index(a, b, c)] = float((random = random * 1664525u + 1013904223u) >> 8) * 0x1p-24f - 0.5f;
+  std::vector<float> next(voxelsOf(tile));
+  double eigenvalue = 0;
+  for (int step = 0; step < kPowerSteps; ++step) {
+    double xAx = 0, xDx = 0, norm = 0;
+    std::size_t n = 0;
+    k.apply(x.data(), tile, [&](int j, int slice, const float* kx) {
+      const std::size_t at = g.index(tile.first.x, j, slice);
+      for (int i = 0; i < size.x; ++i, ++n) {
+        const float d = toFloat(system.inverse[at + std::size_t(i)]), value = x[at + std::size_t(i)];
+        next[n] = toFloat(system.own[at + std::size_t(i)]) * value + d * kx[i];
+        xAx += double(value * next[n] / d);
+        xDx += double(value * value / d);
+        norm += double(next[n] * next[n]);
+      }
+    });
+    eigenvalue = std::max(eigenvalue, xAx / xDx);
+    const float scale = float(std::sqrt(double(next.size()) / norm));
+    n = 0;
+    for (int c = tile.first.z; c < tile.last.z; ++c)
+      for (int b = tile.first.y; b < tile.last.y; ++b)
+        for (int a = tile.first.x; a < tile.last.x; ++a) x[g.index(a, b, c)] = scale * next[n++];
+  }
+  return eigenvalue;
+}
+
+// The largest eigenvalue of D^-1 A with a margin: looked for where K counts most. The bound alone, which holds for
+// cells with unlike neighbours too, costs a third more sweeps.
+double highestEigenvalue(const TangentialOperator& k, const ScaledSystem& system,
+                         const std::vector<Tile>& tiles, LargeArray<float>& scratch) {
+  std::vector<std::size_t> order(tiles.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const std::size_t some = std::min(kPowerTiles, order.size());
+  std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(some), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      return std::pair(system.coupling[b], a) < std::pair(system.coupling[a], b);
+                    });
+  double found = 1;
+  for (std::size_t n = 0; n < some; ++n)
+    found = std::max(found, tileEigenvalue(k, system, tiles[order[n]], scratch));
+  const double most = k.largestEigenvalue();
+  return std::min(kPowerMargin * found, most - (most - 1) * system.leastOwn);
+}
+
+// The iteration: which tiles still move, and the two buffers that take turns.
+class Iteration {
+ public:
+  Iteration(const TangentialOperator& k, const ScaledSystem& system, LargeArray<float>& u,
+            LargeArray<float>& scratch, const Progress& progress)
+      : k_(k),
+        system_(system),
+        u_(u),
+        scratch_(scratch),
+        progress_(progress),
+        counts_(tileCounts(k.geometry().dims)),
+        tiles_(tilesOf(k.geometry().dims)),
+        states_(tiles_.size()),
+        moves_(tiles_.size(), true),
+        steps_(std::min(kLowestOverBound * system.leastOwn, 1.0),
+               highestEigenvalue(k, system, tiles_, scratch)) {
+    setMoving([&](std::size_t t) { return system_.coupling[t] > kLooseCoupling; });
+  }
+
+  void sweep() {
+    const ChebyshevSteps::Step step = steps_.next();
+    parallelFor(
+        std::ptrdiff_t(moving_.size()), [&](std::ptrdiff_t m) { sweepTile(moving_[std::size_t(m)], step); },
+        progress_);
+    std::swap(u_, scratch_);
+    for (const std::size_t t : moving_) updates_ += voxelsOf(tiles_[t]);
+  }
+
+  // rest: tiles whose voxels hardly move any more stay as they are, until a neighbour pulls at them.
+  void rest(double tolerance) {
+    const float step = kRestPerTolerance * float(tolerance), share = float(tolerance * tolerance);
+    setMoving([&](std::size_t t) {
+      const TileState& state = states_[t];
+      return state.step > step || state.residual > share * system_.squares[t] ||
+             (system_.coupling[t] > kLooseCoupling && neighboursMove(t, kWakePerRest * step));
+    });
+  }
+
+  bool anyMoves() const { return !moving_.empty(); }
+  std::size_t updates() const { return updates_; }
+  double relativeResidual() const {
+    double sum = 0;
+    for (const TileState& state : states_) sum += double(state.residual);
+    return system_.norm > 0 ? std::sqrt(sum) / system_.norm : 0;
+  }
+
+ private:
+  void sweepTile(std::size_t t, ChebyshevSteps::Step step) {
+    const Tile& tile = tiles_[t];
+    TileState state;
+    k_.apply(u_.data(), tile, [&](int j, int slice, const float* ku) {
+      const std::size_t at = k_.geometry().index(tile.first.x, j, slice);
+      advanceRow(system_, at, ku, step, &u_[at], &scratch_[at], tile.last.x - tile.first.x, state);
+    });
+    states_[t] = state;
+  }
+
+  // Whether one of the six neighbours of a tile moves by more than `least`.
+  bool neighboursMove(std::size_t t, float least) const {
+    const std::size_t row = std::size_t(counts_.x), layer = row * std::size_t(counts_.y);
+    const std::size_t a = t % row, b = t / row % std::size_t(counts_.y), c = t / layer;
+    const auto step = [&](bool inside, std::size_t other) { return inside && states_[other].step > least; };
+    return step(a > 0, t - 1) || step(a + 1 < row, t + 1) || step(b > 0, t - row) ||
+           step(b + 1 < std::size_t(counts_.y), t + row) || step(c > 0, t - layer) ||
+           step(c + 1 < std::size_t(counts_.z), t + layer);
+  }
+
+  // setMoving: asks moves(t) for every tile. Both buffers hold the same where nothing moves any more.
+  template <class Moves>
+  void setMoving(const Moves& moves) {
+    std::vector<std::size_t> resting;
+    moving_.clear();
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+      const bool moved = moves_[t];
+      moves_[t] = moves(t);
+      if (moves_[t]) moving_.push_back(t);
+      if (moved && !moves_[t]) resting.push_back(t);
+    }
+    parallelFor(
+        std::ptrdiff_t(resting.size()), [&](std::ptrdiff_t m) { copyTile(tiles_[resting[std::size_t(m)]]); },
+        progress_);
+  }
+
+  void copyTile(const Tile& tile) {
+    for (int k = tile.first.z; k < tile.last.z; ++k)
+      for (int j = tile.first.y; j < tile.last.y; ++j) {
+        const std::size_t at = k_.geometry().index(tile.first.x, j, k);
+        std::copy_n(&u_[at], tile.last.x - tile.first.x, &scratch_[at]);
+      }
+  }
+
+  const TangentialOperator& k_;
+  const ScaledSystem& system_;
+  LargeArray<float>&u_, &scratch_;
+  Progress progress_;
+  glm::ivec3 counts_;
+  std::vector<Tile> tiles_;
+  std::vector<TileState> states_;  // per tile, of its last sweep
+  std::vector<char> moves_;        // per tile
+  std::vector<std::size_t> moving_;
+  ChebyshevSteps steps_;
+  std::size_t updates_ = 0;
+};
+
+}  // namespace
+
+FastSolution solveFast(const TangentialOperator& k, const ScaledSystem& system, double tolerance,
+                       LargeArray<float>& u, LargeArray<float>& scratch, const Progress& progress) {
+  Iteration iteration(k, system, u, scratch, progress.cancelOnly());
+  FastSolution solution;
+  double first = 0, least = 0;
+  while (solution.sweeps < kMaxSweeps && !solution.converged) {
+    iteration.sweep();
+    ++solution.sweeps;
+    solution.residual = iteration.relativeResidual();
+    if (solution.sweeps == 1) first = least = solution.residual;
+    if (!(solution.residual <= kDiverged * least)) break;
+    iteration.rest(tolerance);
+    solution.converged = solution.residual <= tolerance || !iteration.anyMoves();
+    progress.update(fractionOfResidual(solution.residual, first, tolerance));
+    least = std::min(least, solution.residual);
+  }
+  solution.updates = iteration.updates();
+  return solution;
+}
+
+}  // namespace sonoskin
