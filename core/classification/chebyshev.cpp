@@ -14,9 +14,6 @@ namespace {
 constexpr int kMaxSweeps = 100;
 constexpr double kDiverged = 8;  // times the smallest residual so far
 constexpr float kWakePerRest = 4;
-constexpr std::size_t kPowerTiles = 12;
-constexpr int kPowerSteps = 8;
-constexpr double kPowerMargin = 1.15;
 constexpr float kRestPerTolerance = 2;
 // The smallest eigenvalue is not reached: voxels with the smallest c/D have neighbours with larger ones.
 constexpr double kLowestOverBound = 2;
@@ -46,12 +43,20 @@ struct TileState {
   float step = 0;      // the largest |D^-1 (b - A u)|
 };
 
-// One row of voxels: makes `next`, which holds the u before, the u after.
+// Asks for the rows that will be read next (see TileSweep).
+void fetchAhead(const ScaledSystem& system, const float* next, std::size_t at, int count) {
+  constexpr int kLine = 64;  // bytes
+  for (int x = 0; x < count; x += kLine / int(sizeof(float))) __builtin_prefetch(next + at + x, 1);
+  for (const auto* part : {&system.right, &system.own, &system.inverse})
+    for (int x = 0; x < count; x += kLine / int(sizeof(Half))) __builtin_prefetch(part->data() + at + x);
+}
+
+// One row of voxels: makes `next`, which holds the u before, the u after. In the first step nothing came before.
+template <bool First>
 void advanceRow(const ScaledSystem& system, std::size_t at, const float* ku, ChebyshevSteps::Step step,
                 const float* u, float* next, int count, TileState& state) {
   const Half *right = &system.right[at], *own = &system.own[at], *inverse = &system.inverse[at];
   const float momentum = step.momentum, length = step.length;
-  const bool first = momentum == 0;  // `next` is not set yet
   float sum = 0, largest = state.step;
 #pragma omp simd reduction(+ : sum) reduction(max : largest)
   for (int i = 0; i < count; ++i) {
@@ -60,7 +65,11 @@ void advanceRow(const ScaledSystem& system, std::size_t at, const float* ku, Che
     const float residual = scaled / d;
     sum += residual * residual;
     largest = std::max(largest, std::abs(scaled));
-    next[i] = u[i] + momentum * (u[i] - (first ? u[i] : next[i])) + length * scaled;
+    if constexpr (First) {
+      next[i] = u[i] + length * scaled;
+    } else {
+      next[i] = u[i] + momentum * (u[i] - next[i]) + length * scaled;
+    }
   }
   state.residual += sum;
   state.step = largest;
@@ -69,63 +78,6 @@ void advanceRow(const ScaledSystem& system, std::size_t at, const float* ku, Che
 std::size_t voxelsOf(const Tile& tile) {
   const glm::ivec3 size = tile.last - tile.first;
   return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
-}
-
-// The largest eigenvalue of D^-1 A for vectors that live in one tile, by power steps; `x` is scratch.
-double tileEigenvalue(const TangentialOperator& k, const ScaledSystem& system, const Tile& tile,
-                      LargeArray<float>& x) {
-  const Geometry& g = k.geometry();
-  const glm::ivec3 size = tile.last - tile.first;
-  const glm::ivec3 low = glm::max(tile.first - 1, glm::ivec3(0)), high = glm::min(tile.last + 1, g.dims);
-  for (int c = low.z; c < high.z; ++c)
-    for (int b = low.y; b < high.y; ++b)
-      for (int a = low.x; a < high.x; ++a) x[g.index(a, b, c)] = 0;
-  std::uint32_t random = 1;
-  for (int c = tile.first.z; c < tile.last.z; ++c)
-    for (int b = tile.first.y; b < tile.last.y; ++b)
-      for (int a = tile.first.x; a < tile.last.x; ++a)
-        x[g.index(a, b, c)] = float((random = random * 1664525u + 1013904223u) >> 8) * 0x1p-24f - 0.5f;
-  std::vector<float> next(voxelsOf(tile));
-  double eigenvalue = 0;
-  for (int step = 0; step < kPowerSteps; ++step) {
-    double xAx = 0, xDx = 0, norm = 0;
-    std::size_t n = 0;
-    k.apply(x.data(), tile, [&](int j, int slice, const float* kx) {
-      const std::size_t at = g.index(tile.first.x, j, slice);
-      for (int i = 0; i < size.x; ++i, ++n) {
-        const float d = toFloat(system.inverse[at + std::size_t(i)]), value = x[at + std::size_t(i)];
-        next[n] = toFloat(system.own[at + std::size_t(i)]) * value + d * kx[i];
-        xAx += double(value * next[n] / d);
-        xDx += double(value * value / d);
-        norm += double(next[n] * next[n]);
-      }
-    });
-    eigenvalue = std::max(eigenvalue, xAx / xDx);
-    const float scale = float(std::sqrt(double(next.size()) / norm));
-    n = 0;
-    for (int c = tile.first.z; c < tile.last.z; ++c)
-      for (int b = tile.first.y; b < tile.last.y; ++b)
-        for (int a = tile.first.x; a < tile.last.x; ++a) x[g.index(a, b, c)] = scale * next[n++];
-  }
-  return eigenvalue;
-}
-
-// The largest eigenvalue of D^-1 A with a margin: looked for where K counts most. The bound alone, which holds for
-// cells with unlike neighbours too, costs a third more sweeps.
-double highestEigenvalue(const TangentialOperator& k, const ScaledSystem& system,
-                         const std::vector<Tile>& tiles, LargeArray<float>& scratch) {
-  std::vector<std::size_t> order(tiles.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const std::size_t some = std::min(kPowerTiles, order.size());
-  std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(some), order.end(),
-                    [&](std::size_t a, std::size_t b) {
-                      return std::pair(system.coupling[b], a) < std::pair(system.coupling[a], b);
-                    });
-  double found = 1;
-  for (std::size_t n = 0; n < some; ++n)
-    found = std::max(found, tileEigenvalue(k, system, tiles[order[n]], scratch));
-  const double most = k.largestEigenvalue();
-  return std::min(kPowerMargin * found, most - (most - 1) * system.leastOwn);
 }
 
 // The iteration: which tiles still move, and the two buffers that take turns.
@@ -142,8 +94,7 @@ class Iteration {
         tiles_(tilesOf(k.geometry().dims)),
         states_(tiles_.size()),
         moves_(tiles_.size(), true),
-        steps_(std::min(kLowestOverBound * system.leastOwn, 1.0),
-               highestEigenvalue(k, system, tiles_, scratch)) {
+        steps_(std::min(kLowestOverBound * system.leastOwn, 1.0), highestEigenvalue()) {
     setMoving([&](std::size_t t) { return system_.coupling[t] > kLooseCoupling; });
   }
 
@@ -175,12 +126,22 @@ class Iteration {
   }
 
  private:
+  // A bound: the power method finds a third less, but finding it costs more sweeps than it saves.
+  double highestEigenvalue() const {
+    const double most = k_.largestEigenvalue();
+    return most - (most - 1) * system_.leastOwn;  // c/D has the eigenvalue 1
+  }
+
   void sweepTile(std::size_t t, ChebyshevSteps::Step step) {
     const Tile& tile = tiles_[t];
+    const auto advance = step.momentum == 0 ? advanceRow<true> : advanceRow<false>;
     TileState state;
     k_.apply(u_.data(), tile, [&](int j, int slice, const float* ku) {
       const std::size_t at = k_.geometry().index(tile.first.x, j, slice);
-      advanceRow(system_, at, ku, step, &u_[at], &scratch_[at], tile.last.x - tile.first.x, state);
+      const int width = tile.last.x - tile.first.x;
+      fetchAhead(system_, scratch_.data(),
+                 std::min(at + 2 * std::size_t(k_.geometry().dims.x), u_.size() - 1), width);
+      advance(system_, at, ku, step, &u_[at], &scratch_[at], width, state);
     });
     states_[t] = state;
   }

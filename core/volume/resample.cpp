@@ -12,7 +12,7 @@ namespace {
 glm::ivec3 blockOf(const Geometry& geometry) {
   glm::ivec3 block(1);
   for (int axis = 0; axis < 3; ++axis)
-    if (geometry.dims[axis] > 3 && geometry.spacing[axis] < 1.5 * geometry.minSpacing()) block[axis] = 2;
+    if (geometry.dims[axis] > 3 && geometry.spacing[axis] < 1.6 * geometry.minSpacing()) block[axis] = 2;
   return block;
 }
 
