@@ -40,7 +40,7 @@ struct ClassificationOptions {
   double directionScale = 0.02;
   CurlDifferences curl = CurlDifferences::forward;
   bool rescale = true;
-  double tolerance = 1e-3;
+  double tolerance = 1e-4;
 };
 
 template <class F, class O>
@@ -85,7 +85,9 @@ void fields(F&& f, O& o) {
   f(Field{"rescale",
           "brings the result of the thesis' formulations to 0 .. 1 by its least and greatest value"},
     o.rescale);
-  f(Field{"tolerance", "relative residual at which the solver stops"}, o.tolerance, Range{1e-6, 0.1, true});
+  f(Field{"tolerance",
+          "relative residual at which the solver stops, for a mesh; sliders are answered to 0.002"},
+    o.tolerance, Range{1e-6, 0.1, true});
 }
 
 }  // namespace sonoskin

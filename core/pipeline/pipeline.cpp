@@ -5,6 +5,7 @@
 #include "core/classification/classify.h"
 #include "core/classification/coarser_options.h"
 #include "core/classification/iso_value.h"
+#include "core/classification/live_classifier.h"
 #include "core/mesh/components.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/parameter_key.h"
@@ -18,6 +19,8 @@
 
 namespace sonoskin {
 namespace {
+
+constexpr double kPreviewTolerance = 1e-2;
 
 // Everything that classification needs of the volume itself.
 struct Prepared {
@@ -113,6 +116,36 @@ Mesh choosePiece(const std::vector<Mesh>& pieces, const MeshOptions& options, co
   throw std::logic_error("unknown PieceChoice");
 }
 
+// LiveMemory: the classifier of one volume, as long as what was prepared from it stays the same.
+struct LiveMemory {
+  std::unique_ptr<LiveClassifier> classifier;
+  Key key;
+
+  std::shared_ptr<const Volume<float>> classify(const Key& preparedKey,
+                                                const std::shared_ptr<const Volume<float>>& volume,
+                                                const std::shared_ptr<const Prepared>& prepared,
+                                                const ClassificationOptions& options,
+                                                const Progress& progress) {
+    if (options.formulation != Formulation::variational)
+      return std::make_shared<const Volume<float>>(
+          sonoskin::classify(*volume, prepared->smoothed, options, progress));
+    if (!classifier || key != preparedKey) {
+      classifier.reset();  // its memory, before the next one takes as much
+      classifier = std::make_unique<LiveClassifier>(
+          volume, std::shared_ptr<const Smoothed>(prepared, &prepared->smoothed));
+      key = preparedKey;
+    }
+    return classifier->classify(options, progress);
+  }
+};
+
+// CoarseLevel: what previews on larger voxels keep.
+struct CoarseLevel {
+  Stage<Volume<float>> volume{1};
+  Stage<Prepared> prepared{1};
+  LiveMemory live;
+};
+
 }  // namespace
 
 struct Pipeline::Stages {
@@ -122,8 +155,9 @@ struct Pipeline::Stages {
   Stage<CsrbfModel> model{3};
   Stage<std::vector<Mesh>> pieces{3};
   Stage<Mesh> mesh{3};
-  Stage<Prepared> coarse{1};
-  Stage<Volume<float>> half{1};
+  LiveMemory live;
+  Stage<Volume<float>> liveClassified{3};
+  CoarseLevel half, quarter;
 };
 
 namespace {
@@ -194,10 +228,19 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
   results.isoValue = classification.isoValue;
   results.visibleLevel = double(prepared->levels.visible);
-  const Key classifyKey = keyOf("classify 1", prepareKey, classification);
-  results.classified = run.stage(
-      "classification", 0.5, stages_->classified, classifyKey,
-      [&](const Progress& p) { return classify(*scan.volume, prepared->smoothed, classification, p); });
+  // Sliders are answered fast; what a mesh is made from is solved to the tolerance.
+  Key classifyKey = keyOf("classify 2", prepareKey, classification);
+  if (goal == Goal::mesh || stages_->classified.find(classifyKey)) {
+    results.classified = run.stage(
+        "classification", 0.5, stages_->classified, classifyKey,
+        [&](const Progress& p) { return classify(*scan.volume, prepared->smoothed, classification, p); });
+  } else {
+    classifyKey = keyOf("classify live 1", prepareKey, classification);
+    results.classified =
+        run.stage("classification", 0.5, stages_->liveClassified, classifyKey, [&](const Progress& p) {
+          return stages_->live.classify(prepareKey, scan.volume, prepared, classification, p);
+        });
+  }
   if (goal == Goal::classified) return results;
 
   const Key pointsKey = keyOf("points 1", classifyKey, parameters.surface);
@@ -232,25 +275,35 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   return results;
 }
 
-Results Pipeline::preview(const Scan& scan, const Parameters& parameters, const Progress& progress) {
+Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Preview level,
+                          const Progress& progress) {
   checkRanges(parameters);
   Results results;
   Run run(progress, {}, results);
-  const auto half = run.stage("half resolution", 0.2, stages_->half, scan.key,
-                              [&](const Progress& p) { return halveResolution(*scan.volume, p); });
-  Scan coarse = scan;
-  coarse.volume = half;
-  Parameters coarser = parameters;
-  coarser.classification = coarserOptions(parameters.classification,
-                                          half->geometry.minSpacing() / scan.volume->geometry.minSpacing());
-  const auto prepared = run.stage("low-pass", 0.5, stages_->coarse, preparedKey(scan, parameters),
-                                  [&](const Progress& p) { return prepare(coarse, coarser, p); });
-  ClassificationOptions classification = coarser.classification;
-  if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
+  const auto halve = [&](Stage<Volume<float>>& memory, const Volume<float>& volume, double until) {
+    return run.stage("coarser voxels", until, memory, scan.key,
+                     [&](const Progress& p) { return halveResolution(volume, p); });
+  };
+  CoarseLevel& coarse = level == Preview::half ? stages_->half : stages_->quarter;
+  Scan coarser = scan;
+  coarser.volume = halve(stages_->half.volume, *scan.volume, 0.2);
+  if (level == Preview::quarter) coarser.volume = halve(stages_->quarter.volume, *coarser.volume, 0.3);
+  Parameters adapted = parameters;
+  adapted.classification = coarserOptions(
+      parameters.classification, coarser.volume->geometry.minSpacing() / scan.volume->geometry.minSpacing());
+  adapted.classification.tolerance = kPreviewTolerance;
+  const Key key = preparedKey(scan, parameters);
+  const auto prepared = run.stage("low-pass", 0.5, coarse.prepared, key,
+                                  [&](const Progress& p) { return prepare(coarser, adapted, p); });
+  // The levels of the volume itself, where they are known: the full answer will use them.
+  const auto full = stages_->prepared.find(key);
+  const GreyLevels levels = full ? full->levels : prepared->levels;
+  ClassificationOptions& classification = adapted.classification;
+  if (classification.isoValue <= 0) classification.isoValue = double(levels.isoValue);
   results.isoValue = classification.isoValue;
-  results.visibleLevel = double(prepared->levels.visible);
-  results.classified = std::make_shared<const Volume<float>>(
-      classify(*half, prepared->smoothed, classification, progress.part(0.5, 1)));
+  results.visibleLevel = double(levels.visible);
+  results.classified =
+      coarse.live.classify(key, coarser.volume, prepared, classification, progress.part(0.5, 1));
   return results;
 }
 

@@ -24,6 +24,9 @@ struct StageReport {
 // Goal: how far a run goes.
 enum class Goal { classified, points, mesh };
 
+// Preview: voxels of twice or four times the size; long voxels grow less.
+enum class Preview { half, quarter };
+
 // Results: what a run has made so far; later members are empty until their stage has run.
 struct Results {
   double isoValue = 0;                              // the iso-value used: given, or found from the volume
@@ -44,13 +47,16 @@ class Pipeline {
   Pipeline();
   ~Pipeline();
   // run: brings everything up to `goal`.
+  //   goal         up to `points` sliders are answered: classified to within 0.02 of the solution; for a mesh to
+  //                classification.tolerance
   //   stageBegins  called with a word for people ("classification") as each stage starts
   //   errors       Error: nothing was found, or a parameter is out of range; Cancelled. Memory is as before.
   using StageBegins = std::function<void(const std::string& name)>;
   Results run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress = {},
               const StageBegins& stageBegins = {});
-  // preview: classification alone on a volume of half the resolution; the geometry of the result tells.
-  Results preview(const Scan& scan, const Parameters& parameters, const Progress& progress = {});
+  // preview: classification alone, on larger voxels; the geometry of the result tells.
+  Results preview(const Scan& scan, const Parameters& parameters, Preview level,
+                  const Progress& progress = {});
 
  private:
   struct Stages;

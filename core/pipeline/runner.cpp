@@ -5,6 +5,12 @@
 #include "core/base/error.h"
 
 namespace sonoskin {
+namespace {
+
+// Voxels beyond which the full answer takes so long, half a second, that one on larger voxels is worth its time.
+constexpr std::size_t kSlowVolume = 30'000'000;
+
+}  // namespace
 
 Runner::Runner() {
   sink_.report = [this](double fraction) {
@@ -92,7 +98,9 @@ void Runner::runRequest(const Request& request) {
     const Progress progress(sink_);
     if (request.previewFirst) {
       stageBegins("preview");
-      deliver(pipeline_.preview(request.scan, request.parameters, progress.part(0, 0.1)));
+      deliver(pipeline_.preview(request.scan, request.parameters, Preview::quarter, progress.part(0, 0.05)));
+      if (request.scan.volume->data.size() > kSlowVolume)
+        deliver(pipeline_.preview(request.scan, request.parameters, Preview::half, progress.part(0.05, 0.1)));
     }
     deliver(pipeline_.run(request.scan, request.parameters, request.goal,
                           progress.part(request.previewFirst ? 0.1 : 0, 1), stageBegins));

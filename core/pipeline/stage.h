@@ -25,7 +25,10 @@ class Stage {
   }
 
   std::shared_ptr<const T> remember(const Key& key, T value) {
-    entries_.push_front({key, std::make_shared<const T>(std::move(value))});
+    return remember(key, std::make_shared<const T>(std::move(value)));
+  }
+  std::shared_ptr<const T> remember(const Key& key, std::shared_ptr<const T> value) {
+    entries_.push_front({key, std::move(value)});
     if (entries_.size() > capacity_) entries_.pop_back();
     return entries_.front().value;
   }

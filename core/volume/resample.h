@@ -5,7 +5,7 @@
 
 namespace sonoskin {
 
-// halveResolution: each voxel is the mean of up to 2x2x2; axes whose spacing is already 1.5 times the
+// halveResolution: each voxel is the mean of up to 2x2x2; axes whose spacing is already 1.6 times the
 // smallest are kept, so that voxels become rounder. The world frame stays.
 //   errors   Cancelled
 Volume<float> halveResolution(const Volume<float>& volume, const Progress& progress = {});

@@ -32,10 +32,10 @@ void previewAfterSlider(benchmark::State& state) {
   const Scan& scan = phantomInput();
   Pipeline pipeline;
   Parameters parameters;
-  pipeline.preview(scan, parameters);
+  pipeline.preview(scan, parameters, Preview::quarter);
   for (auto _ : state) {
     parameters.classification.alpha *= 1.001;
-    benchmark::DoNotOptimize(pipeline.preview(scan, parameters));
+    benchmark::DoNotOptimize(pipeline.preview(scan, parameters, Preview::quarter));
   }
 }
 BENCHMARK(previewAfterSlider)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();

@@ -132,10 +132,8 @@ TEST_F(PipelineTest, ProgressNeverFallsBack) {
   EXPECT_LT(begins["classification"], begins["fit"]);
 }
 
-TEST_F(PipelineTest, PreviewIsTheSameSurfaceWithFewerVoxels) {
+TEST_F(PipelineTest, PreviewsAreTheSameSurfaceWithFewerVoxels) {
   const Results full = pipeline.run(scan, parameters, Goal::classified);
-  const Results coarse = pipeline.preview(scan, parameters);
-  EXPECT_LT(coarse.classified->data.size(), full.classified->data.size() / 3);
   const auto brightest = [](const Volume<float>& u) {  // along the beam through the middle of the ball
     const glm::ivec3 at(u.geometry.toIndex(kCentre) + 0.5);
     double best = 0, where = 0;
@@ -146,7 +144,28 @@ TEST_F(PipelineTest, PreviewIsTheSameSurfaceWithFewerVoxels) {
       }
     return where;
   };
-  EXPECT_NEAR(brightest(*coarse.classified), brightest(*full.classified), 0.61);
+  std::size_t voxels = full.classified->data.size();
+  double voxel = 0.6;  // mm
+  for (const Preview level : {Preview::half, Preview::quarter}) {
+    const Results coarse = pipeline.preview(scan, parameters, level);
+    EXPECT_LT(coarse.classified->data.size(), voxels / 3);
+    EXPECT_NEAR(brightest(*coarse.classified), brightest(*full.classified), voxel + 0.01);
+    EXPECT_EQ(coarse.isoValue, full.isoValue);
+    voxels = coarse.classified->data.size();
+    voxel *= 2;
+  }
+}
+
+// What sliders show lies within 0.02 of what a mesh is made from; once that is there, it is shown.
+TEST_F(PipelineTest, LiveAnswersAreNearTheFinalOne) {
+  pipeline.run(scan, parameters, Goal::classified);
+  parameters.classification.gamma = 1.3;
+  const Results live = pipeline.run(scan, parameters, Goal::points);
+  const Results final = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_NE(live.classified, final.classified);
+  for (std::size_t v = 0; v < live.classified->data.size(); ++v)
+    ASSERT_NEAR(live.classified->data[v], final.classified->data[v], 0.02);
+  EXPECT_EQ(pipeline.run(scan, parameters, Goal::classified).classified, final.classified);
 }
 
 TEST_F(PipelineTest, SaysSoWhenThereIsNoSurface) {
@@ -169,9 +188,9 @@ TEST_F(PipelineTest, RefusesParametersOutOfRange) {
 TEST_F(PipelineTest, PreviewOfTheSkewSystemIsItsClosedForm) {
   parameters.classification.formulation = Formulation::thesisSkew;
   parameters.classification.beta = 4;
-  const Results skew = pipeline.preview(scan, parameters);
+  const Results skew = pipeline.preview(scan, parameters, Preview::half);
   parameters.classification.formulation = Formulation::thesisClosed;
-  EXPECT_EQ(skew.classified->data, pipeline.preview(scan, parameters).classified->data);
+  EXPECT_EQ(skew.classified->data, pipeline.preview(scan, parameters, Preview::half).classified->data);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(Runner, PreviewComesFirst) {
   ASSERT_FALSE(results.empty());
   EXPECT_EQ(results.back().classified->geometry.dims, glm::ivec3(64));
   if (results.size() > 1) {
-    EXPECT_EQ(results.front().classified->geometry.dims, glm::ivec3(32));
+    EXPECT_EQ(results.front().classified->geometry.dims, glm::ivec3(16));
   }
 }
 
