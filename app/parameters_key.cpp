@@ -13,6 +13,7 @@ Key parametersKey(const Parameters& parameters) {
 Key classifiedKey(const Parameters& parameters) {
   Hasher hasher("classified");
   addOptions(hasher, parameters.scan);
+  addOptions(hasher, parameters.enhancement);
   addOptions(hasher, parameters.classification);
   return hasher.key();
 }

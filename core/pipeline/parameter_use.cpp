@@ -34,6 +34,11 @@ std::string_view classificationUse(const ClassificationOptions& o, std::string_v
   return {};
 }
 
+std::string_view enhancementUse(const EnhancementOptions& o, std::string_view field) {
+  if (o.method == EnhancementMethod::none && field != "method") return "The volume is taken as it is";
+  return {};
+}
+
 std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
   if (o.clusters == ClusterRule::largest && (field == "strongThreshold" || field == "strongShare"))
     return "Only the largest piece is kept, however strong it is";
@@ -43,6 +48,7 @@ std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
 }  // namespace
 
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
+  if (group == "enhancement") return enhancementUse(parameters.enhancement, field);
   if (group == "classification") return classificationUse(parameters.classification, field);
   if (group == "surface") return surfaceUse(parameters.surface, field);
   return {};

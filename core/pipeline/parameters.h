@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/classification/classification_options.h"
+#include "core/enhancement/enhancement_options.h"
 #include "core/mesh/mesh_options.h"
 #include "core/phantom/phantom_options.h"
 #include "core/rbf/reconstruction_options.h"
@@ -15,6 +16,7 @@ namespace sonoskin {
 struct Parameters {
   PhantomOptions phantom;
   ScanOptions scan;
+  EnhancementOptions enhancement;
   ClassificationOptions classification;
   SurfaceOptions surface;
   ReconstructionOptions reconstruction;
@@ -33,6 +35,7 @@ requires OptionsOf<P, Parameters>
 void groups(F&& f, P& p) {
   f(Group{"phantom", "the simulated scan"}, p.phantom);
   f(Group{"scan", "how the volume was recorded"}, p.scan);
+  f(Group{"enhancement", "less speckle before anything else"}, p.enhancement);
   f(Group{"classification", "finding surfaces in the noise"}, p.classification);
   f(Group{"surface", "from surfaces to points"}, p.surface);
   f(Group{"reconstruction", "fitting a smooth surface to the points"}, p.reconstruction);

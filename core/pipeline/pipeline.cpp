@@ -6,6 +6,7 @@
 #include "core/classification/coarser_options.h"
 #include "core/classification/iso_value.h"
 #include "core/classification/live_classifier.h"
+#include "core/enhancement/diffusion.h"
 #include "core/mesh/components.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/parameter_key.h"
@@ -45,9 +46,17 @@ std::size_t bytesOf(const std::vector<Mesh>& pieces) {
   return bytes;
 }
 
-Prepared prepare(const Scan& scan, const Parameters& parameters, const Progress& progress) {
+// Input: the volume that classification begins from: the scan's own, or the enhanced one.
+struct Input {
+  std::shared_ptr<const Volume<float>> volume;
+  Key key;
+};
+
+// What lies outside the recorded region is told by the scan's own zeros, which enhancement may blur.
+Prepared prepare(const Scan& scan, const Volume<float>& input, const Parameters& parameters,
+                 const Progress& progress) {
   Prepared result;
-  result.smoothed = smooth(*scan.volume, parameters.classification, progress.part(0, 0.7));
+  result.smoothed = smooth(input, parameters.classification, progress.part(0, 0.7));
   const Beam beam = beamOf(scan, parameters.scan);
   result.view = findFieldOfView(*scan.volume, beam, progress.part(0.7, 1));
   result.levels = proposeLevels(result.smoothed.lowPassed, result.view, beam);
@@ -149,6 +158,7 @@ struct CoarseLevel {
 }  // namespace
 
 struct Pipeline::Stages {
+  Stage<Volume<float>> enhanced{1};
   Stage<Prepared> prepared{1};
   Stage<Volume<float>> classified{3};
   Stage<Points> points{3};
@@ -193,9 +203,9 @@ class Run {
   double at_ = 0;
 };
 
-Key preparedKey(const Scan& scan, const Parameters& p) {
-  Hasher hasher("prepare 2");
-  hasher.add(scan.key).add(p.classification.lowPass).add(p.classification.directionScale);
+Key preparedKey(const Input& input, const Parameters& p) {
+  Hasher hasher("prepare 3");
+  hasher.add(input.key).add(p.classification.lowPass).add(p.classification.directionScale);
   addOptions(hasher, p.scan);
   return hasher.key();
 }
@@ -206,6 +216,15 @@ Key keyOf(const char* stage, const Key& input, const Options& options) {
   hasher.add(input);
   addOptions(hasher, options);
   return hasher.key();
+}
+
+Input enhance(const Scan& scan, const EnhancementOptions& options, double until, Stage<Volume<float>>& memory,
+              Run& run) {
+  if (options.method == EnhancementMethod::none) return {scan.volume, scan.key};
+  const Key key = keyOf("enhance 1", scan.key, options);
+  return {run.stage("enhancement", until, memory, key,
+                    [&](const Progress& p) { return diffuse(*scan.volume, options, p); }),
+          key};
 }
 
 }  // namespace
@@ -220,9 +239,11 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   Run run(goal == Goal::classified ? progress.part(0, 2) : progress, stageBegins, results);
   const Beam beam = beamOf(scan, parameters.scan);
 
-  const Key prepareKey = preparedKey(scan, parameters);
-  const auto prepared = run.stage("low-pass", 0.1, stages_->prepared, prepareKey,
-                                  [&](const Progress& p) { return prepare(scan, parameters, p); });
+  const Input input = enhance(scan, parameters.enhancement, 0.1, stages_->enhanced, run);
+  const Key prepareKey = preparedKey(input, parameters);
+  const auto prepared = run.stage("low-pass", 0.15, stages_->prepared, prepareKey, [&](const Progress& p) {
+    return prepare(scan, *input.volume, parameters, p);
+  });
 
   ClassificationOptions classification = parameters.classification;
   if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
@@ -233,12 +254,12 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   if (goal == Goal::mesh || stages_->classified.find(classifyKey)) {
     results.classified = run.stage(
         "classification", 0.5, stages_->classified, classifyKey,
-        [&](const Progress& p) { return classify(*scan.volume, prepared->smoothed, classification, p); });
+        [&](const Progress& p) { return classify(*input.volume, prepared->smoothed, classification, p); });
   } else {
     classifyKey = keyOf("classify live 1", prepareKey, classification);
     results.classified =
         run.stage("classification", 0.5, stages_->liveClassified, classifyKey, [&](const Progress& p) {
-          return stages_->live.classify(prepareKey, scan.volume, prepared, classification, p);
+          return stages_->live.classify(prepareKey, input.volume, prepared, classification, p);
         });
   }
   if (goal == Goal::classified) return results;
@@ -280,21 +301,23 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   checkRanges(parameters);
   Results results;
   Run run(progress, {}, results);
+  const Input input = enhance(scan, parameters.enhancement, 0.1, stages_->enhanced, run);
   const auto halve = [&](Stage<Volume<float>>& memory, const Volume<float>& volume, double until) {
-    return run.stage("coarser voxels", until, memory, scan.key,
+    return run.stage("coarser voxels", until, memory, input.key,
                      [&](const Progress& p) { return halveResolution(volume, p); });
   };
   CoarseLevel& coarse = level == Preview::half ? stages_->half : stages_->quarter;
   Scan coarser = scan;
-  coarser.volume = halve(stages_->half.volume, *scan.volume, 0.2);
+  coarser.volume = halve(stages_->half.volume, *input.volume, 0.2);
   if (level == Preview::quarter) coarser.volume = halve(stages_->quarter.volume, *coarser.volume, 0.3);
   Parameters adapted = parameters;
   adapted.classification = coarserOptions(
       parameters.classification, coarser.volume->geometry.minSpacing() / scan.volume->geometry.minSpacing());
   adapted.classification.tolerance = kPreviewTolerance;
-  const Key key = preparedKey(scan, parameters);
-  const auto prepared = run.stage("low-pass", 0.5, coarse.prepared, key,
-                                  [&](const Progress& p) { return prepare(coarser, adapted, p); });
+  const Key key = preparedKey(input, parameters);
+  const auto prepared = run.stage("low-pass", 0.5, coarse.prepared, key, [&](const Progress& p) {
+    return prepare(coarser, *coarser.volume, adapted, p);
+  });
   // The levels of the volume itself, where they are known: the full answer will use them.
   const auto full = stages_->prepared.find(key);
   const GreyLevels levels = full ? full->levels : prepared->levels;

@@ -25,7 +25,7 @@ struct SurfaceOptions {
   ThinningMethod thinning = ThinningMethod::trilinear;
   ThresholdScale thresholdScale = ThresholdScale::strongest;
   double threshold = 0.12;
-  double strongThreshold = 0.5;
+  double strongThreshold = 0.45;
   ClusterRule clusters = ClusterRule::hysteresis;
   double strongShare = 0.1;
   double minClusterArea = 60;

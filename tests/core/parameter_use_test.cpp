@@ -75,6 +75,14 @@ TEST(ParameterUse, WithoutSmoothingItsOtherParametersAreUnused) {
   EXPECT_TRUE(unusedBecause(p, "classification", "tangentialLength").empty());
 }
 
+TEST(ParameterUse, WithoutEnhancementItsParametersAreUnused) {
+  Parameters p;
+  EXPECT_FALSE(unusedBecause(p, "enhancement", "iterations").empty());
+  EXPECT_TRUE(unusedBecause(p, "enhancement", "method").empty());
+  p.enhancement.method = EnhancementMethod::diffusion;
+  EXPECT_TRUE(unusedBecause(p, "enhancement", "iterations").empty());
+}
+
 TEST(ParameterUse, TheLargestPieceNeedsNoStrength) {
   Parameters p;
   EXPECT_TRUE(unusedBecause(p, "surface", "strongShare").empty());

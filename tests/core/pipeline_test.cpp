@@ -86,6 +86,21 @@ TEST_F(PipelineTest, OtherPiecesCostNoNewSurface) {
   EXPECT_EQ(computed(pipeline.run(scan, parameters, Goal::mesh)), std::vector<std::string>{"piece"});
 }
 
+TEST_F(PipelineTest, EnhancementIsDoneOnceAndReachesEverythingBehindIt) {
+  const Results plain = pipeline.run(scan, parameters, Goal::points);
+  Parameters changed = parameters;
+  changed.enhancement.method = EnhancementMethod::diffusion;
+  const Results enhanced = pipeline.run(scan, changed, Goal::points);
+  EXPECT_EQ(computed(enhanced),
+            (std::vector<std::string>{"enhancement", "low-pass", "classification", "points"}));
+  EXPECT_NE(enhanced.classified->data, plain.classified->data);
+  EXPECT_NE(pipeline.preview(scan, changed, Preview::half).classified->data,
+            pipeline.preview(scan, parameters, Preview::half).classified->data);
+  changed.classification.lowPass = 1.2;
+  EXPECT_EQ(computed(pipeline.run(scan, changed, Goal::points)),
+            (std::vector<std::string>{"low-pass", "classification", "points"}));
+}
+
 TEST_F(PipelineTest, GoalsEndTheWayEarlier) {
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::classified).points);
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::points).mesh);

@@ -31,6 +31,12 @@ Finding withoutFacing(const Scan& scan, const Parameters& parameters) {
   return runPipeline(scan, changed);
 }
 
+Finding withDiffusion(const Scan& scan, const Parameters& parameters) {
+  Parameters changed = parameters;
+  changed.enhancement.method = EnhancementMethod::diffusion;
+  return runPipeline(scan, changed);
+}
+
 // The chain of the thesis: its equation in closed form, u blurred by a box, 13 directions, threshold 0.15; with the
 // iso-value that we find, as it has no way of finding one, and the rivals' rule for pieces, as its own (the largest
 // piece alone) often picks the wall of the uterus.
@@ -62,6 +68,7 @@ std::vector<Method> ownMethods() {
           {"beta0", "the same, beta 0: no smoothing along the surface", withoutBeta},
           {"onethreshold", "the same, one threshold: no strong voxels asked for", withoutHysteresis},
           {"nofacing", "the same without the facing filter", withoutFacing},
+          {"enhanced", "the same after our speckle reduction", withDiffusion},
           {"thesis",
            "the thesis' chain: closed form, blurred u, 13 directions, 0.15; our iso-value and facing filter",
            thesisChain},
