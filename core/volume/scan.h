@@ -26,18 +26,37 @@ struct Beam {
   }
 };
 
-// Scan: a recorded volume and what is known of it. Holds nothing that identifies a patient.
-struct Scan {
-  std::shared_ptr<const Volume<float>> volume;  // normalised to [0, 1]
-  double originalMin = 0, originalMax = 1;      // what 0 and 1 were in the file
-  std::string originalType = "float";           // number type in the file, such as "uint8"
-  bool spacingKnown = true;                     // false: the file gave none and 1 mm was assumed
-  std::optional<Beam> beam;                     // where the file or the phantom tells
-  Key key;                                      // of geometry and voxels
+// LocalBeams: the beams of a volume in the frame of its axes: positions and directions are voxel index .* spacing, mm.
+class LocalBeams {
+ public:
+  LocalBeams(const Beam& beam, const Geometry& geometry);
+
+  // towards: along the beam that passes through `position`, away from the probe; not normalised.
+  glm::vec3 towards(const glm::vec3& position) const { return apex_ ? position - *apex_ : axis_; }
+
+ private:
+  std::optional<glm::vec3> apex_;
+  glm::vec3 axis_;
 };
 
-// beamOf: the beam that the file tells, else parallel beams from the side that the options name.
+// Scan: a recorded volume and what is known of it. Holds nothing that identifies a patient.
+struct Scan {
+  std::shared_ptr<const Volume<float>> volume;       // normalised to [0, 1]
+  double originalMin = 0, originalMax = 1;           // what 0 and 1 were in the file
+  std::string originalType = "float";                // number type in the file, such as "uint8"
+  bool spacingKnown = true;                          // false: the file gave none and 1 mm was assumed
+  std::optional<Beam> beam;                          // where the file or the phantom tells
+  std::shared_ptr<const Volume<std::uint8_t>> mask;  // not zero where something was scanned; may be missing
+  Key key;                                           // of geometry and voxels
+};
+
+// beamOf: the beam that the file tells, else one from the side that the options name; its origin as the options say.
+//   errors  Error: the options name sides that do not fit
 Beam beamOf(const Scan& scan, const ScanOptions& options);
+
+// setMask: takes another volume as the mask of what was scanned: where it is not zero in its file.
+//   errors  Error: it has other dimensions, or is zero everywhere
+void setMask(Scan& scan, const Scan& mask);
 
 // scanKey: the fingerprint of geometry, voxels and beam.
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam);

@@ -12,10 +12,16 @@ constexpr std::array<const char*, 6> enumNames(VolumeSide) {
   return {"i-low", "i-high", "j-low", "j-high", "k-low", "k-high"};
 }
 
+// BeamOrigin: where the beams start.
+enum class BeamOrigin { automatic, given, parallel };
+constexpr std::array<const char*, 3> enumNames(BeamOrigin) { return {"automatic", "given", "parallel"}; }
+
 // ScanOptions: what the file does not tell about the recording.
 struct ScanOptions {
   VolumeSide probeSide = VolumeSide::jLow;
   VolumeSide topSide = VolumeSide::iHigh;
+  BeamOrigin beamOrigin = BeamOrigin::automatic;
+  std::array<double, 3> apex{0, 0, 0};
 };
 
 template <class F, class O>
@@ -24,6 +30,13 @@ void fields(F&& f, O& o) {
   f(Field{"probeSide", "side of the volume where the probe was, if the file does not say"}, o.probeSide);
   f(Field{"topSide", "side of the volume that pictures show at the top, if the file does not say"},
     o.topSide);
+  f(Field{"beamOrigin",
+          "where the beams start: automatic: what the file says, else where the sides of the scanned sector "
+          "meet; "
+          "given: in scan.apex; parallel: nowhere"},
+    o.beamOrigin);
+  f(Field{"apex", "where the beams start if scan.beamOrigin is given; in the world of the volume", "mm"},
+    o.apex, Range{-10000.0, 10000.0});
 }
 
 }  // namespace sonoskin
