@@ -40,7 +40,8 @@ std::string_view enhancementUse(const EnhancementOptions& o, std::string_view fi
 }
 
 std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
-  if (o.clusters == ClusterRule::largest && (field == "strongThreshold" || field == "strongShare"))
+  if (o.clusters == ClusterRule::largest &&
+      (field == "strongThreshold" || field == "strongShare" || field == "lobeStrength"))
     return "Only the largest piece is kept, however strong it is";
   return {};
 }
@@ -50,6 +51,8 @@ std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
   if (group == "enhancement") return enhancementUse(parameters.enhancement, field);
   if (group == "classification") return classificationUse(parameters.classification, field);
+  if (group == "scan" && field == "apex" && parameters.scan.beamOrigin != BeamOrigin::given)
+    return "Only used if the beams' origin is given";
   if (group == "surface") return surfaceUse(parameters.surface, field);
   return {};
 }

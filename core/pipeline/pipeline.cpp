@@ -13,9 +13,7 @@
 #include "core/pipeline/stage.h"
 #include "core/rbf/csrbf_model.h"
 #include "core/rbf/iso_surface.h"
-#include "core/surface/clusters.h"
-#include "core/surface/thesis_thinning.h"
-#include "core/volume/histogram.h"
+#include "core/surface/find_surface.h"
 #include "core/volume/resample.h"
 
 namespace sonoskin {
@@ -27,12 +25,14 @@ constexpr double kPreviewTolerance = 1e-2;
 struct Prepared {
   Smoothed smoothed;
   FieldOfView view;
+  Beam beam;
   GreyLevels levels;
 };
 
 struct Points {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::shared_ptr<const SurfacePoints> points;
+  double echoOffset = 0;
 };
 
 std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
@@ -58,37 +58,19 @@ Prepared prepare(const Scan& scan, const Volume<float>& input, const Parameters&
   Prepared result;
   result.smoothed = smooth(input, parameters.classification, progress.part(0, 0.7));
   const Beam beam = beamOf(scan, parameters.scan);
-  result.view = findFieldOfView(*scan.volume, beam, progress.part(0.7, 1));
-  result.levels = proposeLevels(result.smoothed.lowPassed, result.view, beam);
+  result.view = findFieldOfView(scan, beam, progress.part(0.7, 1));
+  result.beam = beamWithin(result.view, beam, scan.volume->geometry, parameters.scan);
+  result.levels = proposeLevels(result.smoothed.lowPassed, result.view, result.beam);
   return result;
 }
 
-// The options with thresholds on the scale of this volume. Soft edges classify weakly all over a volume: what counts
-// is how strong a surface is beside the others.
-SurfaceOptions scaledToStrongest(SurfaceOptions options, const Volume<float>& classified,
-                                 const Progress& progress) {
-  if (options.thresholdScale == ThresholdScale::one) return options;
-  constexpr double kStrongestShare =
-      0.998;  // in any scan of a face, more voxels than the rest lie on its skin
-  const double strongest = quantile(classified, kStrongestShare, progress);
-  options.threshold *= strongest;
-  options.strongThreshold *= strongest;
-  return options;
-}
-
-Points findPoints(const Volume<float>& classified, const Prepared& prepared, const Beam& beam,
-                  const SurfaceOptions& given, const Progress& progress) {
-  const SurfaceOptions options = scaledToStrongest(given, classified, progress.part(0, 0.1));
-  const Volume<float>& lowPassed = prepared.smoothed.lowPassed;
-  const auto thinning = options.thinning == ThinningMethod::thesis ? thinByThesis : thin;
-  std::vector<SurfaceVoxel> voxels =
-      thinning(classified, lowPassed, {beam, prepared.view}, options, progress.part(0.1, 0.6));
-  progress.update(0.6);
-  voxels = dropWeakClusters(voxels, classified.geometry, options);
-  progress.update(0.8);
-  return {
-      std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(voxels, classified.geometry)),
-      std::make_shared<const SurfacePoints>(extractSurfacePoints(voxels, lowPassed, progress.part(0.8, 1)))};
+Points findPoints(const Scan& scan, const Volume<float>& classified, const Prepared& prepared, double iso,
+                  const SurfaceOptions& options, const Progress& progress) {
+  const SurfaceInput input{
+      *scan.volume, classified, prepared.smoothed.lowPassed, {prepared.beam, prepared.view}, iso};
+  FoundSurface found = findSurface(input, options, progress);
+  return {std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(found.voxels, classified.geometry)),
+          std::make_shared<const SurfacePoints>(std::move(found.points)), found.echoOffset};
 }
 
 glm::dvec3 centreOf(const Geometry& g) { return g.toWorld(0.5 * glm::dvec3(g.dims - 1)); }
@@ -237,7 +219,6 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   checkRanges(parameters);
   Results results;
   Run run(goal == Goal::classified ? progress.part(0, 2) : progress, stageBegins, results);
-  const Beam beam = beamOf(scan, parameters.scan);
 
   const Input input = enhance(scan, parameters.enhancement, 0.1, stages_->enhanced, run);
   const Key prepareKey = preparedKey(input, parameters);
@@ -264,12 +245,13 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   }
   if (goal == Goal::classified) return results;
 
-  const Key pointsKey = keyOf("points 1", classifyKey, parameters.surface);
+  const Key pointsKey = keyOf("points 2", classifyKey, parameters.surface);
   const auto points = run.stage("points", 0.6, stages_->points, pointsKey, [&](const Progress& p) {
-    return findPoints(*results.classified, *prepared, beam, parameters.surface, p);
+    return findPoints(scan, *results.classified, *prepared, results.isoValue, parameters.surface, p);
   });
   results.thinned = points->thinned;
   results.points = points->points;
+  results.echoOffset = points->echoOffset;
   if (goal == Goal::points) return results;
 
   require(results.points->size() > 0,
@@ -291,7 +273,7 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   });
   results.mesh =
       run.stage("piece", 1, stages_->mesh, keyOf("piece 1", surfaceKey, mesh), [&](const Progress&) {
-        return choosePiece(*results.pieces, mesh, beam, centreOf(scan.volume->geometry));
+        return choosePiece(*results.pieces, mesh, prepared->beam, centreOf(scan.volume->geometry));
       });
   return results;
 }

@@ -34,6 +34,7 @@ struct Results {
   std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
+  double echoOffset = 0;                            // mm that the points were moved inward, onto the skin
   std::size_t centres = 0;                          // of the fitted function
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
   std::shared_ptr<const Mesh> mesh;                 // the chosen piece

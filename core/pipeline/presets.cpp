@@ -40,6 +40,8 @@ void thesis(Parameters& p) {
   s.minClusterArea = 0;
   s.facing = -1;
   s.borderMargin = 0;
+  s.firstHit = 0;
+  s.offsetCorrection = false;
   p.reconstruction.regularisation = 1e-6;
   p.reconstruction.fitWeights = true;
 }

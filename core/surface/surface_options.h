@@ -27,10 +27,13 @@ struct SurfaceOptions {
   double threshold = 0.12;
   double strongThreshold = 0.45;
   ClusterRule clusters = ClusterRule::hysteresis;
-  double strongShare = 0.1;
+  double strongShare = 0.06;
+  double lobeStrength = 0.5;
   double minClusterArea = 60;
   double facing = 0.1;
   double borderMargin = 4;
+  double firstHit = 15;
+  bool offsetCorrection = true;
 };
 
 template <class F, class O>
@@ -51,8 +54,14 @@ void fields(F&& f, O& o) {
   f(Field{"clusters",
           "hysteresis: every piece with enough strong voxels; largest: one piece alone, as the thesis"},
     o.clusters);
-  f(Field{"strongShare", "share of strong voxels that a piece needs to be kept"}, o.strongShare,
-    Range{0.0, 1.0});
+  f(Field{"strongShare",
+          "strong voxels that a piece needs to be kept, as a share of those of the piece with most of them"},
+    o.strongShare, Range{0.0, 1.0});
+  f(Field{"lobeStrength",
+          "sheets that hang on a piece by a neck are dropped if their share of strong voxels is below this "
+          "times the "
+          "piece's; 0 keeps all"},
+    o.lobeStrength, Range{0.0, 1.0});
   f(Field{"minClusterArea", "pieces of the surface that are smaller are dropped; 0 keeps all", "mm²"},
     o.minClusterArea, Range{0.0, 1e5});
   f(Field{"facing", "cosine between beam and inward gradient that a surface needs; -1 keeps all"}, o.facing,
@@ -60,6 +69,15 @@ void fields(F&& f, O& o) {
   f(Field{"borderMargin", "distance from the border of the scanned region within which nothing is surface",
           "voxels"},
     o.borderMargin, Range{0.0, 32.0});
+  f(Field{"firstHit",
+          "depth behind a surface within which another one is dropped, such as bone below skin, unless fluid "
+          "lies "
+          "between; 0 keeps all",
+          "mm"},
+    o.firstHit, Range{0.0, 40.0});
+  f(Field{"offsetCorrection",
+          "move the points inward from where the echo begins to where it has risen: onto the skin"},
+    o.offsetCorrection);
 }
 
 }  // namespace sonoskin

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
@@ -20,23 +21,38 @@ glm::vec3 gradientBetweenVoxels(const Volume<float>& v, const glm::vec3& positio
   return gradient;
 }
 
+constexpr std::size_t kBlock = 1024;  // voxels that one thread takes at a time
+
+void addPoint(const SurfaceVoxel& voxel, const Volume<float>& lowPassed, SurfacePoints& block) {
+  const Geometry& g = lowPassed.geometry;
+  const glm::vec3 gradient = gradientBetweenVoxels(lowPassed, voxel.position);
+  const float length = glm::length(gradient);
+  if (!(length > 0)) return;
+  block.positions.emplace_back(g.toWorld(glm::dvec3(voxel.position)));
+  block.normals.emplace_back(g.toWorldDirection(glm::dvec3(-gradient / length)));
+  block.confidence.push_back(std::clamp(voxel.value, 1e-3f, 1.0f));
+}
+
 }  // namespace
 
 SurfacePoints extractSurfacePoints(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed,
                                    const Progress& progress) {
-  const Geometry& g = lowPassed.geometry;
+  std::vector<SurfacePoints> blocks((voxels.size() + kBlock - 1) / kBlock);
+  parallelFor(
+      std::ptrdiff_t(blocks.size()),
+      [&](std::ptrdiff_t b) {
+        const std::size_t first = std::size_t(b) * kBlock, end = std::min(voxels.size(), first + kBlock);
+        for (std::size_t v = first; v < end; ++v) addPoint(voxels[v], lowPassed, blocks[std::size_t(b)]);
+      },
+      progress);
   SurfacePoints points;
   points.positions.reserve(voxels.size());
   points.normals.reserve(voxels.size());
   points.confidence.reserve(voxels.size());
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    if (v % 4096 == 0) progress.update(double(v) / double(voxels.size()));
-    const glm::vec3 gradient = gradientBetweenVoxels(lowPassed, voxels[v].position);
-    const float length = glm::length(gradient);
-    if (!(length > 0)) continue;
-    points.positions.emplace_back(g.toWorld(glm::dvec3(voxels[v].position)));
-    points.normals.emplace_back(g.toWorldDirection(glm::dvec3(-gradient / length)));
-    points.confidence.push_back(std::clamp(voxels[v].value, 1e-3f, 1.0f));
+  for (const SurfacePoints& block : blocks) {
+    points.positions.insert(points.positions.end(), block.positions.begin(), block.positions.end());
+    points.normals.insert(points.normals.end(), block.normals.begin(), block.normals.end());
+    points.confidence.insert(points.confidence.end(), block.confidence.begin(), block.confidence.end());
   }
   return points;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -26,12 +25,13 @@ struct ScanFrame {
 
 // thin: non-maximum suppression of the classified volume u across the surface.
 //   direction   n = grad v~ of the low-passed volume, in millimetres: u is a ridge, whose own gradient flips
-//   keeps       u(x) > u(x - d) and u(x) >= u(x + d), or the other way round, u >= threshold; d = n as a step
-//               of at most one voxel along each axis; trilinear
-//   sub-voxel   parabola through the three values of 1/u, at most half a step
+//   keeps       u(x) > u(x - d) and u(x) >= u(x + d), u >= threshold; d = n as a step of one voxel along its
+//               longest axis; bilinear. One side may tie, so that a plateau of u gives one sheet: its dark side.
+//   sub-voxel   parabola through the three values of 1/u, at most three quarters of a step
 //   facing      keeps dark to bright along the beam: grad v~ . beam > facing |grad v~|
 //   border      keeps what is at least borderMargin smallest spacings inside the field of view
 //   output      in the order of the voxels
+//   cost        467x255x124: 45 ms of one core; 28 bytes per voxel kept
 //   errors      Cancelled
 std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<float>& lowPassed,
                                const ScanFrame& frame, const SurfaceOptions& options,

@@ -13,8 +13,7 @@
 #include "core/classification/data_term.h"
 #include "core/classification/live_classifier.h"
 #include "core/classification/pcg.h"
-#include "core/surface/clusters.h"
-#include "core/surface/thinning.h"
+#include "core/surface/find_surface.h"
 #include "core/volume/gaussian.h"
 #include "core/volume/resample.h"
 #include "tests/benchmarks/phantom_input.h"
@@ -229,16 +228,20 @@ void slabEigenAssembled(benchmark::State& state) {
 }
 BENCHMARK(slabEigenAssembled)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
+// From the classified volume to points, with all that lies between and the volume of what was kept.
 void thinningAndClusters(benchmark::State& state) {
   const Scan& scan = phantomInput();
   const Volume<float> u = classify(*scan.volume, smoothedInput(), optionsForBenchmarks());
   const ScanFrame frame{*scan.beam, findFieldOfView(*scan.volume, *scan.beam)};
-  std::size_t found = 0;
+  const SurfaceInput input{*scan.volume, u, smoothedInput().lowPassed, frame,
+                           optionsForBenchmarks().isoValue};
+  std::size_t points = 0;
   for (auto _ : state) {
-    const auto voxels = thin(u, smoothedInput().lowPassed, frame, SurfaceOptions{});
-    found = dropWeakClusters(voxels, u.geometry, SurfaceOptions{}).size();
+    const FoundSurface found = findSurface(input, SurfaceOptions{});
+    benchmark::DoNotOptimize(thinnedVolume(found.voxels, u.geometry));
+    points = found.points.size();
   }
-  state.counters["points"] = double(found);
+  state.counters["points"] = double(points);
 }
 BENCHMARK(thinningAndClusters)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 

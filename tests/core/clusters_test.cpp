@@ -79,6 +79,83 @@ TEST(Clusters, AreMeasuredInSquareMillimetres) {
   EXPECT_EQ(dropWeakClusters(voxels, test::grid(kDims, {2, 2, std::sqrt(32.0)}), o).size(), 12u);
 }
 
+// A piece is weighed by its strong voxels beside those of the piece with most.
+TEST(Clusters, SpecksBesideALargePieceAreDropped) {
+  std::vector<SurfaceVoxel> voxels;
+  const auto sheet = [&](int k, int width, float value) {
+    for (int j = 0; j < width; ++j)
+      for (int i = 0; i < width; ++i) voxels.push_back({{i, j, k}, {i, j, k}, value});
+  };
+  sheet(0, 12, 0.9f);  // 144 strong ones
+  sheet(3, 3, 0.9f);   // 9
+  sheet(6, 12, 0.4f);  // none
+  SurfaceOptions o;
+  o.minClusterArea = 4;
+  o.strongShare = 0.06;
+  const auto kept = [&] { return dropWeakClusters(voxels, test::grid(kDims), o).size(); };
+  EXPECT_EQ(kept(), 144u + 9);
+  o.strongShare = 0.07;
+  EXPECT_EQ(kept(), 144u);
+  for (SurfaceVoxel& v : voxels) v.value *= 0.5f;  // a noisy scan: weak everywhere
+  o.strongThreshold = 0.25;
+  EXPECT_EQ(kept(), 144u);
+}
+
+// Two sheets in one plane, joined by a bridge of a voxel's width.
+std::vector<SurfaceVoxel> sheetWithLobe(int lobeWidth, float lobeValue) {
+  std::vector<SurfaceVoxel> voxels;
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 70; ++i) {
+      const bool main = i < 40, bridge = i < 45 && j == 5, lobe = i >= 45 && i < 45 + lobeWidth && j < 15;
+      if (main || bridge || lobe) voxels.push_back({{i, j, 2}, {i, j, 2}, lobe ? lobeValue : 0.9f});
+    }
+  return voxels;
+}
+
+const glm::ivec3 kWide(80, 40, 5);
+
+TEST(Lobes, ArePartedAtNecks) {
+  const auto voxels = sheetWithLobe(15, 0.9f);
+  const auto labels = labelLobes(voxels, kWide);
+  const auto labelAt = [&](int i, int j) {
+    for (std::size_t v = 0; v < voxels.size(); ++v)
+      if (voxels[v].voxel.x == i && voxels[v].voxel.y == j) return labels[v];
+    return -1;
+  };
+  EXPECT_EQ(labelAt(0, 0), labelAt(39, 39));  // borders go with what they surround
+  EXPECT_EQ(labelAt(45, 0), labelAt(59, 14));
+  EXPECT_NE(labelAt(0, 0), labelAt(50, 7));
+  std::map<int, int> pieces;
+  for (const int label : labelClusters(voxels, kWide)) ++pieces[label];
+  EXPECT_EQ(pieces.size(), 1u);
+}
+
+TEST(Lobes, WeakOnesAreDropped) {
+  SurfaceOptions o;
+  o.minClusterArea = 60;
+  const std::size_t main = 40 * 40;
+  const auto kept = [&](int width, float value) {
+    return dropLooseLobes(sheetWithLobe(width, value), test::grid(kWide), o).size();
+  };
+  EXPECT_EQ(kept(15, 0.2f), main + 5);            // weak: a loose sheet; the bridge stays
+  EXPECT_EQ(kept(15, 0.9f), main + 5 + 15 * 15);  // strong
+  EXPECT_EQ(kept(3, 0.2f), main + 5 + 3 * 15);    // smaller than minClusterArea: a torn edge
+  o.lobeStrength = 0;
+  EXPECT_EQ(kept(15, 0.2f), main + 5 + 15 * 15);  // switched off
+  o.lobeStrength = 0.5;
+  o.clusters = ClusterRule::largest;
+  EXPECT_EQ(kept(15, 0.2f), main + 5 + 15 * 15);
+}
+
+// A second face is no lobe: it is large.
+TEST(Lobes, LargeOnesStay) {
+  std::vector<SurfaceVoxel> voxels;
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 70; ++i)
+      if (i < 40 || j == 5 || i >= 45) voxels.push_back({{i, j, 2}, {i, j, 2}, i >= 45 ? 0.2f : 0.9f});
+  EXPECT_EQ(dropLooseLobes(voxels, test::grid(kWide), {}).size(), voxels.size());
+}
+
 TEST(Clusters, TheLargestAloneNeedsNoStrength) {
   std::vector<SurfaceVoxel> voxels;
   const auto line = [&](int j, int length, float value) {
@@ -100,6 +177,7 @@ TEST(Clusters, TheLargestAloneNeedsNoStrength) {
 TEST(Clusters, OfNothingAreNothing) {
   SurfaceOptions o;
   EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), o).empty());
+  EXPECT_TRUE(dropLooseLobes({}, test::grid(kDims), o).empty());
   o.clusters = ClusterRule::largest;
   EXPECT_TRUE(dropWeakClusters({}, test::grid(kDims), o).empty());
 }
