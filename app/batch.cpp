@@ -44,7 +44,8 @@ Scan load(BatchRun& run) {
   Scan scan;
   const bool phantom = run.options.input == kPhantomInput;
   run.stage(phantom ? "simulation" : "reading", [&] {
-    scan = loadInput(run.options.input, run.options.parameters, run.progress.part(0, kLoaded));
+    scan =
+        loadInput(run.options.input, run.options.mask, run.options.parameters, run.progress.part(0, kLoaded));
     return scan.volume->data.size() * sizeof(float);
   });
   const Geometry& g = scan.volume->geometry;
@@ -61,6 +62,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
   run.report.isoValue = results.isoValue;
   run.report.points = results.points->size();
+  run.report.echoOffset = results.echoOffset;
   run.report.centres = results.centres;
   run.report.pieces = results.pieces->size();
   run.report.triangles = results.mesh->triangles.size();
@@ -85,7 +87,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     progress.update(0.5);
     writePng(run.file("volume.png"), pictureOfVolume(*context, scan.volume, look, frame));
     progress.update(0.8);
-    const SlicesInput slices{scan.volume, results.classified, results.thinned, {}};
+    const SlicesInput slices{scan.volume, results.classified, results.thinned, middleOf(*results.mesh)};
     writePng(run.file("slices.png"), pictureOfSlices(*context, slices, frame.size));
     return 4 * 4 * std::size_t(frame.size.x) * std::size_t(frame.size.y);
   });

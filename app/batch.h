@@ -15,6 +15,7 @@ namespace sonoskin {
 // BatchOptions: one run without a window.
 struct BatchOptions {
   std::string input;  // a volume file, or "phantom"
+  std::string mask;   // a volume file, see loadInput; empty: none
   std::filesystem::path folder;
   Parameters parameters;
   std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf

@@ -1,14 +1,20 @@
 #include "app/input.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 
 namespace sonoskin {
 
-Scan loadInput(const std::string& input, const Parameters& parameters, const Progress& progress) {
-  return input == kPhantomInput ? makePhantomScan(parameters.phantom, progress) : readScan(input, progress);
+Scan loadInput(const std::string& input, const std::string& mask, const Parameters& parameters,
+               const Progress& progress) {
+  const Progress volume = mask.empty() ? progress : progress.part(0, 0.8);
+  Scan scan = input == kPhantomInput ? makePhantomScan(parameters.phantom, volume) : readScan(input, volume);
+  if (!mask.empty()) setMask(scan, readScan(mask, progress.part(0.8, 1)));
+  return scan;
 }
 
 std::string inputName(const std::string& input) {
@@ -21,6 +27,21 @@ Box boxAround(const Mesh& mesh) {
   constexpr float kMargin = 1.5f;  // mm; the grey of an echo begins a little above the surface found in it
   const Box box = boundingBox(mesh.positions);
   return {box.min - kMargin, box.max + kMargin};
+}
+
+glm::dvec3 middleOf(const Mesh& mesh) {
+  glm::vec3 median(0);
+  std::vector<float> along(mesh.positions.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t v = 0; v < along.size(); ++v) along[v] = mesh.positions[v][axis];
+    const auto middle = along.begin() + std::ptrdiff_t(along.size() / 2);
+    std::nth_element(along.begin(), middle, along.end());
+    median[axis] = *middle;
+  }
+  const auto nearer = [&](const glm::vec3& a, const glm::vec3& b) {
+    return glm::distance(a, median) < glm::distance(b, median);
+  };
+  return glm::dvec3(*std::min_element(mesh.positions.begin(), mesh.positions.end(), nearer));
 }
 
 }  // namespace sonoskin

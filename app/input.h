@@ -13,8 +13,10 @@ namespace sonoskin {
 inline constexpr const char* kPhantomInput = "phantom";
 
 // loadInput: the scan that `input` names: "phantom", or a volume file.
-//   errors  Error: see readScan; Cancelled
-Scan loadInput(const std::string& input, const Parameters& parameters, const Progress& progress = {});
+//   mask    a volume file that is not zero where something was scanned; empty: none
+//   errors  Error: see readScan and setMask; Cancelled
+Scan loadInput(const std::string& input, const std::string& mask, const Parameters& parameters,
+               const Progress& progress = {});
 
 // inputName: what a report may say of an input: the file's name without its folders.
 std::string inputName(const std::string& input);
@@ -22,5 +24,9 @@ std::string inputName(const std::string& input);
 // boxAround: the box of a surface and a little more: what a ray-cast shows of the volume, so that the wall of the uterus
 // between probe and face is not in the way.
 Box boxAround(const Mesh& mesh);
+
+// middleOf: the vertex in the middle of a surface: the one nearest to the median of all, axis by axis.
+//   mesh  not empty
+glm::dvec3 middleOf(const Mesh& mesh);
 
 }  // namespace sonoskin

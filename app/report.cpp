@@ -24,6 +24,7 @@ std::string reportJson(const Report& report) {
   json["iso_value"] = report.isoValue;
   json["stages"] = stages;
   json["points"] = report.points;
+  json["echo_offset_mm"] = report.echoOffset;
   json["centres"] = report.centres;
   json["pieces"] = report.pieces;
   json["triangles"] = report.triangles;
@@ -42,6 +43,9 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
                                  report.spacingKnown ? "" : " (assumed: the file gives no spacing)");
   text += fmt::format("{} points, {} centres, {} pieces; the mesh has {} triangles and {:.1f} cm2\n",
                       report.points, report.centres, report.pieces, report.triangles, report.area / 100);
+  if (report.echoOffset != 0)
+    text += fmt::format("the points were moved {:.2f} mm inward, from the echo's edge to the skin\n",
+                        report.echoOffset);
   for (const StageReport& stage : report.stages) {
     text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
                         double(stage.bytes) * 1e-6);

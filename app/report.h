@@ -18,6 +18,7 @@ struct Report {
   double isoValue = 0;
   std::vector<StageReport> stages;
   std::size_t points = 0, centres = 0, pieces = 0, triangles = 0;
+  double echoOffset = 0;       // mm that the points were moved inward
   double area = 0;             // mm^2
   double seconds = 0;          // wall time of everything
   std::size_t peakMemory = 0;  // bytes

@@ -7,6 +7,7 @@
 
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
+#include "app/cli/mask_option.h"
 #include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
@@ -23,7 +24,7 @@ namespace sonoskin {
 namespace {
 
 struct RenderOptions {
-  std::string input, out;
+  std::string input, out, mask;
   std::string view = "skin", mode = "dvr";
   double level = 0;
   bool whole = false;
@@ -60,7 +61,7 @@ Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Cont
 Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                           Console& console) {
   console.beginStage(o.input == kPhantomInput ? "simulation" : "reading");
-  const Scan scan = loadInput(o.input, parameters, console.progress().part(0, kLoaded));
+  const Scan scan = loadInput(o.input, o.mask, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);
   const auto compute = [&](Goal goal) {
     return Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
@@ -75,10 +76,11 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
     console.beginStage("picture");
     return pictureOfVolume(context, scan.volume, look, o.picture);
   }
-  const Results results = compute(o.view == "slices" ? Goal::points : Goal::mesh);
+  const Results results = compute(Goal::mesh);
   console.beginStage("picture");
   if (o.view == "slices") {
-    return pictureOfSlices(context, {scan.volume, results.classified, results.thinned, {}}, o.picture.size);
+    return pictureOfSlices(
+        context, {scan.volume, results.classified, results.thinned, middleOf(*results.mesh)}, o.picture.size);
   }
   return pictureOfMesh(context, results.mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
 }
@@ -116,6 +118,7 @@ Command addRenderCommand(CLI::App& program, Console& console) {
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "picture to write: .png")->required()->type_name("PNG");
+  addMaskOption(*command, options->mask);
   addChoice(
       *command, "--view", options->view, {"skin", "mesh", "volume", "slices"},
       "skin: the surface with the tone of skin (for now a lit mesh: light does not scatter below the skin "

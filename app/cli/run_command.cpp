@@ -4,6 +4,7 @@
 #include "app/batch.h"
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
+#include "app/cli/mask_option.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 
@@ -41,6 +42,7 @@ Command addRunCommand(CLI::App& program, Console& console) {
   command->add_option("--out", batch.folder, "folder for the results; made where missing")
       ->required()
       ->type_name("DIR");
+  addMaskOption(*command, batch.mask);
   addChoices(*command, "--export", batch.meshFormats, {"ply", "stl", "obj", "glb", "3mf"},
              "formats of the mesh, with commas");
   addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},

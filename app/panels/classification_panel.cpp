@@ -120,6 +120,12 @@ FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, con
   return edit;
 }
 
+// How far the points were moved from the echo's edge to the skin.
+void drawEchoOffset(const Results& results) {
+  if (results.points && results.echoOffset != 0)
+    ImGui::TextDisabled("Points moved %.2f mm inward, onto the skin", results.echoOffset);
+}
+
 }  // namespace
 
 void drawClassificationPanel(Workspace& workspace) {
@@ -147,6 +153,7 @@ void drawMorePanel(Workspace& workspace) {
         Rows rows{{}, false, useOf(parameters, group.name)};
         if (group.name == "reconstruction") rows = {kOnSurfacePanel, true, rows.text};
         edit |= drawGroup(group, options, rows, [&] {
+          if (group.name == "surface") drawEchoOffset(workspace.session.results());
           if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
         });
       },

@@ -9,6 +9,7 @@
 #include "core/base/timer.h"
 #include "core/base/version.h"
 #include "core/io/image.h"
+#include "core/io/mesh_reader.h"
 #include "tests/app/cli_support.h"
 
 namespace sonoskin::test {
@@ -60,6 +61,31 @@ TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
             0);
   for (const char* name : {"mesh.ply", "truth.ply", "recipe.json", "slices.png"})
     EXPECT_EQ(fileText(folder / "1" / name), fileText(folder / "2" / name)) << name;
+}
+
+// The points of a run whose mask is the half of the volume toward the head lie there, and the report tells how far they
+// were moved.
+TEST(RunCommand, AMaskTellsWhatWasScanned) {
+  const TempFolder folder;
+  std::string mask =
+      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nspacings: 1 1 1\nencoding: raw\n\n";
+  for (int row = 0; row < 64 * 31; ++row) mask += std::string(58, '\x01') + std::string(59, '\0');
+  const std::string file = folder.write("mask.nrrd", mask).string();
+  const ProgramResult result = sonoskin(withSmall(
+      {"run", "phantom", "--out", (folder / "out").string(), "--mask", file, "--json", "--size", "64x64"}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_GT(nlohmann::json::parse(result.out)["echo_offset_mm"].get<double>(), 0.2);
+  const Mesh mesh = readMesh(folder / "out/mesh.ply");
+  ASSERT_GT(mesh.positions.size(), 1000u);
+  for (const glm::vec3& p : mesh.positions) EXPECT_LT(p.x, 58 * 1.2f + 2);
+
+  const ProgramResult wrong = sonoskin(
+      {"run", "phantom", "--out", (folder / "no").string(), "--mask", file, "--phantom.dims", "64x64x31"});
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_NE(wrong.err.find("the mask has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
+            std::string::npos)
+      << wrong.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "no"));
 }
 
 TEST(RunCommand, AFailureLeavesNothingBehind) {
