@@ -46,12 +46,14 @@ void parallelFor(std::ptrdiff_t count, const std::function<void(std::ptrdiff_t)>
       progress.throwIfCancelled();
       body(i);
       const std::ptrdiff_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (omp_get_thread_num() == 0) progress.update(double(finished) / double(count));
+      if (omp_get_thread_num() == 0 && finished < count) progress.update(double(finished) / double(count));
     } catch (...) {
       first.capture();
     }
   }
   first.rethrow();
+  // Only this thread reports, and on a busy machine the others may have done all the work.
+  if (count > 0) progress.update(1);
 }
 
 void parallelThreads(const std::function<void(int, int)>& body) {

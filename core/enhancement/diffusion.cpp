@@ -138,7 +138,6 @@ Volume<float> diffuse(const Volume<float>& volume, const EnhancementOptions& opt
         [&](std::ptrdiff_t slab) { step.run(int(slab) * kSlab, std::min(depth, (int(slab) + 1) * kSlab)); },
         progress.part(double(n) / options.iterations, double(n + 1) / options.iterations));
     std::swap(now, next);
-    progress.update(double(n + 1) / options.iterations);
   }
   return now;
 }

@@ -50,5 +50,20 @@ TEST(Parallel, ReportsRisingFractions) {
   EXPECT_NEAR(seen.back(), 1, 1e-12);
 }
 
+// Only the calling thread reports; the others may have done all the work.
+TEST(Parallel, ReportsTheEndWhoeverWorked) {
+  ProgressSink sink;
+  double last = 0;
+  sink.report = [&](double f) { last = f; };
+  setThreadCount(4);
+  for (int repeat = 0; repeat < 200; ++repeat) {
+    last = 0;
+    parallelFor(
+        2, [](std::ptrdiff_t) {}, Progress(sink));
+    ASSERT_EQ(last, 1) << "repeat " << repeat;
+  }
+  setThreadCount(0);
+}
+
 }  // namespace
 }  // namespace sonoskin
