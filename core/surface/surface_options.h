@@ -28,7 +28,7 @@ struct SurfaceOptions {
   double strongThreshold = 0.45;
   ClusterRule clusters = ClusterRule::hysteresis;
   double strongShare = 0.06;
-  double lobeStrength = 0.5;
+  double lobeStrength = 0.6;
   double minClusterArea = 60;
   double facing = 0.1;
   double borderMargin = 4;

@@ -67,6 +67,17 @@ TEST_F(TangentialOperatorTest, QuadraticFormIsTheEnergy) {
   EXPECT_NEAR(dot(u, applied(k, u)), expected, 1e-7 * expected);  // K u is in single precision
 }
 
+// Rounding of single values averages out in a larger volume; the constants are those that single precision holds exactly.
+TEST(TangentialOperator, EnergyHoldsToEightDigits) {
+  const double beta = 127.0 * 127.0 * 16 / 65536;
+  const Geometry g = grid({64, 48, 40}, {0.5, 0.5, 1});
+  const auto volume = test::speckledSphere(g, {16, 12, 20}, 8, 0.5);
+  const auto directions = std::make_shared<const Directions>(cellDirections(volume, 0.02));
+  const auto u = noiseField(g, 8);
+  const double expected = energy(*directions, u, beta);
+  EXPECT_NEAR(dot(u, applied(TangentialOperator(directions, beta), u)), expected, 1e-8 * expected);
+}
+
 TEST_F(TangentialOperatorTest, IsSymmetric) {
   const auto u = noiseField(geometry, 2), v = noiseField(geometry, 3);
   EXPECT_NEAR(dot(v, applied(k, u)), dot(u, applied(k, v)), 1e-4);
