@@ -15,12 +15,17 @@ constexpr std::array<const char*, 5> enumNames(PieceChoice) {
 // MeshOptions: from the implicit function to the mesh.
 struct MeshOptions {
   int resolution = 400;
+  double cell = 0;
   double support = 1.0;
   double maxGap = 4;
   PieceChoice piece = PieceChoice::probe;
   double companions = 1;
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
+  double minArea = 0;
+  double fillHoles = 0;
+  int smoothing = 0;
+  int triangles = 0;
 };
 
 template <class F, class O>
@@ -28,6 +33,7 @@ requires OptionsOf<O, MeshOptions>
 void fields(F&& f, O& o) {
   f(Field{"resolution", "cells along the longest side of the surface", "cells"}, o.resolution,
     Range{16, 2000});
+  f(Field{"cell", "edge of a cell; 0: by the resolution", "mm"}, o.cell, Range{0.0, 20.0});
   f(Field{"support", "overlap of supports below which the surface is cut off", "", "tau"}, o.support,
     Range{0.0, 4.0});
   f(Field{"maxGap", "distance from the points beyond which the surface is cut off, in spacings of the points",
@@ -42,6 +48,13 @@ void fields(F&& f, O& o) {
     o.pieceIndex, Range{0, 1000000});
   f(Field{"piecePoint", "for piece = point: the piece nearest to this point of the volume's frame", "mm"},
     o.piecePoint, Range{-1e5, 1e5});
+  f(Field{"minArea", "pieces with a smaller area are dropped", "mm²"}, o.minArea, Range{0.0, 1e6});
+  f(Field{"fillHoles", "holes up to this size, measured across, are filled; 0: none", "mm"}, o.fillHoles,
+    Range{0.0, 1000.0});
+  f(Field{"smoothing", "steps of smoothing that keep features and size", "steps"}, o.smoothing,
+    Range{0, 200});
+  f(Field{"triangles", "reduce the mesh to this many triangles; 0: all are kept", "triangles"}, o.triangles,
+    Range{0, 100000000});
 }
 
 }  // namespace sonoskin

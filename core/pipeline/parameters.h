@@ -5,8 +5,11 @@
 #include "core/classification/classification_options.h"
 #include "core/enhancement/enhancement_options.h"
 #include "core/mesh/mesh_options.h"
+#include "core/mesh/print_options.h"
 #include "core/phantom/phantom_options.h"
+#include "core/rbf/global_options.h"
 #include "core/rbf/reconstruction_options.h"
+#include "core/surface/region_options.h"
 #include "core/surface/surface_options.h"
 #include "core/volume/scan_options.h"
 
@@ -18,9 +21,12 @@ struct Parameters {
   ScanOptions scan;
   EnhancementOptions enhancement;
   ClassificationOptions classification;
+  RegionOptions region;
   SurfaceOptions surface;
   ReconstructionOptions reconstruction;
+  GlobalOptions global;
   MeshOptions mesh;
+  PrintOptions print;
 };
 
 // Group: the heading of one algorithm's parameters.
@@ -37,9 +43,12 @@ void groups(F&& f, P& p) {
   f(Group{"scan", "how the volume was recorded"}, p.scan);
   f(Group{"enhancement", "less speckle before anything else"}, p.enhancement);
   f(Group{"classification", "finding surfaces in the noise"}, p.classification);
+  f(Group{"region", "the part of the volume that counts"}, p.region);
   f(Group{"surface", "from surfaces to points"}, p.surface);
   f(Group{"reconstruction", "fitting a smooth surface to the points"}, p.reconstruction);
+  f(Group{"global", "one function through all points, for reconstruction.method = global"}, p.global);
   f(Group{"mesh", "the triangles"}, p.mesh);
+  f(Group{"print", "a solid to print"}, p.print);
 }
 
 // forEachField: calls f(Group, Field, member&, Range...) for every parameter.
