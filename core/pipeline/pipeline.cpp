@@ -266,8 +266,8 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   results.centres = model->centres().size();
 
   const MeshOptions& mesh = parameters.mesh;
-  Hasher surface("surface 1");
-  const Key surfaceKey = surface.add(fitKey).add(mesh.resolution).add(mesh.support).add(mesh.maxGap).key();
+  Hasher surface("surface 2");
+  const Key surfaceKey = surface.add(fitKey).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
   results.pieces = run.stage("surface", 0.98, stages_->pieces, surfaceKey, [&](const Progress& p) {
     return splitPieces(extractIsoSurface(*model, *results.points, mesh, p));
   });

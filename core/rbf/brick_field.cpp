@@ -1,17 +1,10 @@
 #include "core/rbf/brick_field.h"
 
-#include <cmath>
-#include <limits>
-
 #include "core/base/parallel.h"
-#include "core/rbf/sample_block.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr float kSmallestCoverage = 0.01f;  // below it S is a ratio of two tiny numbers
-constexpr float kSeedReach = 0.6f;          // cells around a point
-constexpr float kNearSurface = 1.2f;        // cells: a neighbouring brick may hold the surface
 constexpr std::size_t kBricksPerTask = 64;
 
 void activate(BrickField& field, const glm::ivec3& brick) {
@@ -20,97 +13,98 @@ void activate(BrickField& field, const glm::ivec3& brick) {
   field.bricks.push_back(brick);
 }
 
-void activateAround(BrickField& field, const glm::vec3& point) {
-  const float edge = float(kBrickEdge) * field.cell, reach = kSeedReach * field.cell;
-  const glm::ivec3 low(glm::floor((point - reach - field.origin) / edge));
-  const glm::ivec3 high(glm::floor((point + reach - field.origin) / edge));
-  for (int k = low.z; k <= high.z; ++k)
-    for (int j = low.y; j <= high.y; ++j)
-      for (int i = low.x; i <= high.x; ++i) activate(field, {i, j, k});
-}
-
-// A block whose places are the nodes of a brick, relative to its corner.
-SampleBlock brickNodes(float cell) {
-  SampleBlock block;
-  block.count = kBrickNodes;
+void sampleBrick(const ImplicitFunction& function, std::size_t brick, BrickField& field) {
+  float* value = &field.value[brick * kBrickNodes];
+  function.sampleBrick(field.corner(brick), value, &field.coverage[brick * kBrickNodes]);
+  NodeSet inside = 0, defined = 0;
   for (std::size_t n = 0; n < kBrickNodes; ++n) {
-    block.x[n] = float(n % 4) * cell;
-    block.y[n] = float(n / 4 % 4) * cell;
-    block.z[n] = float(n / 16) * cell;
+    inside |= NodeSet(value[n] < 0) << n;
+    defined |= NodeSet(value[n] == value[n]) << n;
   }
-  return block;
+  field.inside[brick] = inside;
+  field.defined[brick] = defined;
 }
 
-void sampleBrick(const CentreIndex& index, std::size_t brick, const SampleBlock& nodes, BrickField& field) {
-  SampleBlock block = nodes;
-  const glm::vec3 corner = field.corner(brick);
-  const glm::vec3 middle = corner + 1.5f * field.cell;  // of the nodes
-  const float radius = 1.5f * std::sqrt(3.f) * field.cell;
-  for (const std::uint32_t n : index.near(field.centre(brick))) {
-    const Centre& c = index.centres()[n];
-    const glm::vec3 d = middle - c.position;
-    const float limit = c.support + radius;
-    if (glm::dot(d, d) < limit * limit) addCentre(c, corner - c.position, block);
-  }
-  for (std::size_t n = 0; n < kBrickNodes; ++n) {
-    const bool isDefined = block.coverage[n] >= kSmallestCoverage;
-    field.coverage[brick * kBrickNodes + n] = block.coverage[n];
-    field.value[brick * kBrickNodes + n] =
-        isDefined ? block.weighted[n] / block.coverage[n] : std::numeric_limits<float>::quiet_NaN();
-  }
+// The nodes from which an edge to the next node along an axis changes sign; `next` is the brick that follows, or none.
+NodeSet cutEdges(const BrickField& field, std::size_t brick, std::int32_t next, int axis) {
+  const NodeSet nextInside = next >= 0 ? field.inside[std::size_t(next)] : 0,
+                nextDefined = next >= 0 ? field.defined[std::size_t(next)] : 0;
+  const NodeSet changes = field.inside[brick] ^ shifted(field.inside[brick], nextInside, axis);
+  return changes & field.defined[brick] & shifted(field.defined[brick], nextDefined, axis);
 }
 
-// Whether the surface may go on across one face of a brick. side: 0 low, 1 high.
-bool mayCrossFace(const float* value, int axis, int side, float cell) {
-  const std::size_t stride[3] = {1, 4, 16};
-  const std::size_t across = stride[axis], u = stride[(axis + 1) % 3], v = stride[(axis + 2) % 3];
-  bool negative = false, positive = false, near = false;
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b < 4; ++b) {
-      const float s = value[(side ? 3 * across : 0) + a * u + b * v];  // NaN fails every comparison
-      negative |= s < 0;
-      positive |= s >= 0;
-      near |= std::abs(s) < kNearSurface * cell;
+// Calls f(offset) for the bricks that cells around cut edges reach: one node to either side along the other two axes,
+// and for edges that end in the next brick along the axis there too.
+template <class F>
+void forEachNeeded(NodeSet cut, int axis, F&& f) {
+  const auto side = [](int along, int step) {
+    return step == 0 ? ~NodeSet(0) : kLayer[std::size_t(along)][step < 0 ? 0 : kBrickEdge - 1];
+  };
+  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  for (int stepB = -1; stepB <= 1; ++stepB)
+    for (int stepC = -1; stepC <= 1; ++stepC) {
+      const NodeSet reaching = cut & side(b, stepB) & side(c, stepC);
+      if (reaching == 0) continue;
+      glm::ivec3 offset(0);
+      offset[b] = stepB, offset[c] = stepC;
+      f(offset);
+      if ((reaching & kLayer[std::size_t(axis)][kBrickEdge - 1]) == 0) continue;
+      offset[axis] = 1;
+      f(offset);
     }
-  return near || (negative && positive);
 }
 
-void grow(BrickField& field, std::size_t brick) {
-  for (int axis = 0; axis < 3; ++axis)
-    for (int side = 0; side < 2; ++side) {
-      glm::ivec3 next = field.bricks[brick];
-      next[axis] += side ? 1 : -1;
-      if (mayCrossFace(&field.value[brick * kBrickNodes], axis, side, field.cell)) activate(field, next);
-    }
+// Adds the bricks that a brick's own edges, and those that end in it, need.
+void grow(BrickField& field, std::size_t brick, std::size_t sampled) {
+  const auto isSampled = [&](std::int32_t b) { return b >= 0 && std::size_t(b) < sampled; };
+  const glm::ivec3 place = field.bricks[brick];
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 step(0);
+    step[axis] = 1;
+    const std::int32_t next = field.map.find(place + step), last = field.map.find(place - step);
+    const NodeSet own = cutEdges(field, brick, isSampled(next) ? next : -1, axis);
+    if (own) forEachNeeded(own, axis, [&](const glm::ivec3& offset) { activate(field, place + offset); });
+    if (!isSampled(last)) continue;
+    const NodeSet into = cutEdges(field, std::size_t(last), std::int32_t(brick), axis) &
+                         kLayer[std::size_t(axis)][kBrickEdge - 1];
+    if (into)
+      forEachNeeded(into, axis, [&](const glm::ivec3& offset) { activate(field, place - step + offset); });
+  }
+}
+
+void resizeSamples(BrickField& field) {
+  field.value.resize(field.bricks.size() * kBrickNodes);
+  field.coverage.resize(field.bricks.size() * kBrickNodes);
+  field.inside.resize(field.bricks.size());
+  field.defined.resize(field.bricks.size());
 }
 
 }  // namespace
 
-BrickField sampleBricks(const CentreIndex& index, const std::vector<glm::vec3>& points, float cell,
-                        float margin, const Progress& progress) {
+BrickField sampleBricks(const ImplicitFunction& function, const std::vector<glm::vec3>& points, float margin,
+                        const std::function<bool(const glm::vec3&)>& wanted, const Progress& progress) {
   const Box box = boundingBox(points);
   BrickField field;
-  field.cell = cell;
+  field.cell = function.cell;
   field.origin = box.min - margin;
-  field.map = BrickMap(glm::ivec3((box.max + margin - field.origin) / (float(kBrickEdge) * cell)) + 1);
-  for (const glm::vec3& p : points) activateAround(field, p);
+  const float edge = float(kBrickEdge) * field.cell;
+  field.map = BrickMap(glm::ivec3((box.max + margin - field.origin) / edge) + 1);
+  for (const glm::vec3& p : points) activate(field, glm::ivec3((p - field.origin) / edge));
 
-  const SampleBlock nodes = brickNodes(cell);
   double fraction = 0;
   for (std::size_t done = 0; done < field.bricks.size();) {
     const std::size_t end = field.bricks.size();
-    field.value.resize(end * kBrickNodes);
-    field.coverage.resize(end * kBrickNodes);
+    resizeSamples(field);
     const Progress part = progress.part(fraction, fraction + 0.5 * (1 - fraction));
     parallelFor(
         std::ptrdiff_t((end - done + kBricksPerTask - 1) / kBricksPerTask),
         [&](std::ptrdiff_t task) {
           const std::size_t first = done + std::size_t(task) * kBricksPerTask;
           for (std::size_t b = first; b < std::min(first + kBricksPerTask, end); ++b)
-            sampleBrick(index, b, nodes, field);
+            if (wanted(field.centre(b))) sampleBrick(function, b, field);
         },
         part);
-    for (; done < end; ++done) grow(field, done);
+    for (; done < end; ++done) grow(field, done, end);
     fraction += 0.5 * (1 - fraction);
   }
   return field;

@@ -1,8 +1,8 @@
 #include "core/rbf/brick_mesher.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
+#include <bit>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -12,190 +12,198 @@ namespace sonoskin {
 namespace {
 
 constexpr std::size_t kBricksPerTask = 128;
-constexpr std::uint8_t kNoVertex = 255;
-constexpr int kPaddedEdge = kBrickEdge + 1;
-constexpr std::array<std::size_t, 3> kPaddedStride{1, kPaddedEdge, kPaddedEdge* kPaddedEdge};
 
-// Cut edges of one brick: for each node and axis the vertex among the brick's own, or kNoVertex. And each cell's
-// case, 0 where a node is undefined.
-struct BrickCuts {
-  std::array<std::uint8_t, 3 * kBrickNodes> vertex;
-  std::array<std::uint8_t, kBrickNodes> cubeCase;
-};
-
-// A brick's nodes and the first layer of its upper neighbours: all nodes of its 4³ cells.
-using Padded = std::array<float, kPaddedEdge * kPaddedEdge * kPaddedEdge>;
-
-std::size_t paddedIndex(int x, int y, int z) { return std::size_t((z * kPaddedEdge + y) * kPaddedEdge + x); }
-
-// The brick and its upper neighbours; bit a of the index: one brick further along axis a.
+// A brick and its upper neighbours; bit a of the index: one brick further along axis a.
 using Neighbours = std::array<std::int32_t, 8>;
 
-Neighbours upperNeighbours(const BrickField& field, std::size_t brick) {
-  Neighbours result;
-  for (int n = 0; n < 8; ++n)
-    result[std::size_t(n)] = field.map.find(field.bricks[brick] + glm::ivec3(n & 1, (n >> 1) & 1, n >> 2));
-  return result;
-}
+// The cut edges that start at a brick's nodes, by axis, and the number of the first vertex on each axis' edges.
+struct BrickCuts {
+  std::array<NodeSet, 3> edges{};
+  std::array<std::uint32_t, 3> first{};
 
-void loadPadded(const std::vector<float>& nodes, const Neighbours& neighbours, Padded& padded) {
-  for (int z = 0; z < kPaddedEdge; ++z)
-    for (int y = 0; y < kPaddedEdge; ++y) {
-      const auto row = std::size_t((z % kBrickEdge * kBrickEdge + y % kBrickEdge) * kBrickEdge);
-      const auto side = std::size_t((y / kBrickEdge) * 2 + (z / kBrickEdge) * 4);
-      float* out = &padded[paddedIndex(0, y, z)];
-      std::fill(out, out + kPaddedEdge, std::numeric_limits<float>::quiet_NaN());
-      if (const std::int32_t b = neighbours[side]; b >= 0)
-        std::copy_n(&nodes[std::size_t(b) * kBrickNodes + row], kBrickEdge, out);
-      if (const std::int32_t b = neighbours[side + 1]; b >= 0)
-        out[kBrickEdge] = nodes[std::size_t(b) * kBrickNodes + row];
-    }
-}
-
-bool hasBothSigns(const Padded& value) {
-  bool negative = false, positive = false;
-  for (const float s : value) {
-    negative |= s < 0;
-    positive |= s >= 0;
+  std::uint32_t vertex(std::size_t axis, int node) const {
+    return first[axis] + std::uint32_t(std::popcount(edges[axis] & ((NodeSet(1) << node) - 1)));
   }
-  return negative && positive;
-}
-
-// NaN is neither below 0 nor at least 0, so that an edge to an undefined node is never cut.
-bool isCut(float a, float b) { return (a < 0 && b >= 0) || (b < 0 && a >= 0); }
-
-std::uint8_t caseAt(const float* node) {
-  unsigned bits = 0;
-  bool isDefined = true;
-  for (unsigned c = 0; c < 8; ++c) {
-    const float s =
-        node[(c & 1) * kPaddedStride[0] + ((c >> 1) & 1) * kPaddedStride[1] + (c >> 2) * kPaddedStride[2]];
-    bits |= unsigned(s < 0) << c;
-    isDefined &= s == s;
-  }
-  return std::uint8_t(isDefined ? bits : 0);
-}
-
-// What one task makes of its bricks.
-struct Part {
-  std::vector<glm::vec3> positions;
-  std::vector<std::uint8_t> keep;
-  std::vector<Triangle> triangles;
 };
+
+// The cells that start at a brick's nodes: by corner c of the cube whether it is inside; and which are crossed.
+struct BrickCells {
+  std::array<NodeSet, 8> inside;
+  NodeSet crossed;
+
+  std::size_t caseOf(int node) const {
+    std::size_t result = 0;
+    for (std::size_t c = 0; c < 8; ++c) result |= std::size_t((inside[c] >> node) & 1) << c;
+    return result;
+  }
+};
+
+// Where the vertex on a cube's edge is: the neighbour that owns it, its node there, and the axis.
+struct EdgeOwner {
+  std::uint8_t neighbour, node, axis;
+};
+
+using EdgeOwners = std::array<std::array<EdgeOwner, kCubeEdges>, kBrickNodes>;
+constexpr EdgeOwners kEdgeOwners = [] {
+  EdgeOwners owners{};
+  for (int n = 0; n < int(kBrickNodes); ++n)
+    for (int e = 0; e < kCubeEdges; ++e) {
+      const int corner = edgeStart(e);
+      const int x = n % 4 + (corner & 1), y = n / 4 % 4 + ((corner >> 1) & 1), z = n / 16 + (corner >> 2);
+      owners[std::size_t(n)][std::size_t(e)] = {std::uint8_t(x / 4 + y / 4 * 2 + z / 4 * 4),
+                                                std::uint8_t(brickNode(x % 4, y % 4, z % 4)),
+                                                std::uint8_t(edgeAxis(e))};
+    }
+  return owners;
+}();
+
+// Calls f(node) for the nodes of a set, ascending.
+template <class F>
+void forEachNode(NodeSet nodes, F&& f) {
+  for (; nodes; nodes &= nodes - 1) f(std::countr_zero(nodes));
+}
 
 class Mesher {
  public:
-  Mesher(const BrickField& field, const VertexTest& keep)
-      : field_(field), keepTest_(keep), cuts_(field.bricks.size()), first_(field.bricks.size() + 1, 0) {}
+  explicit Mesher(const BrickField& field) : field_(field), cuts_(field.bricks.size()) {}
 
   BrickMesh run(const Progress& progress) {
-    const std::size_t tasks = (field_.bricks.size() + kBricksPerTask - 1) / kBricksPerTask;
-    std::vector<Part> parts(tasks);
-    forEachBrick(parts, progress.part(0, 0.5), [&](std::size_t brick, Part& part) { cutBrick(brick, part); });
-    for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
-    BrickMesh result;
-    for (const Part& part : parts) {
-      result.mesh.positions.insert(result.mesh.positions.end(), part.positions.begin(), part.positions.end());
-      keep_.insert(keep_.end(), part.keep.begin(), part.keep.end());
-    }
-    require(result.mesh.positions.size() < 0xffffffffu, "The mesh is too fine: lower its resolution.");
-    forEachBrick(parts, progress.part(0.5, 1),
-                 [&](std::size_t brick, Part& part) { fillBrick(brick, part); });
-    for (const Part& part : parts)
-      result.mesh.triangles.insert(result.mesh.triangles.end(), part.triangles.begin(), part.triangles.end());
-    result.firstVertex = std::move(first_);
-    return result;
+    const std::size_t bricks = field_.bricks.size();
+    firstTriangle_.assign(bricks + 1, 0);
+    result_.firstVertex.assign(bricks + 1, 0);
+    forEachBrick(progress.part(0, 0.4), [&](std::size_t b) { findCuts(b); });
+    numberAll();
+    result_.mesh.positions.resize(result_.firstVertex.back());
+    result_.coverage.resize(result_.firstVertex.back());
+    result_.mesh.triangles.resize(firstTriangle_.back());
+    forEachBrick(progress.part(0.4, 1), [&](std::size_t b) { fill(b); });
+    return std::move(result_);
   }
 
  private:
   template <class F>
-  void forEachBrick(std::vector<Part>& parts, const Progress& progress, F&& f) const {
+  void forEachBrick(const Progress& progress, F&& f) const {
+    const std::size_t bricks = field_.bricks.size();
     parallelFor(
-        std::ptrdiff_t(parts.size()),
+        std::ptrdiff_t((bricks + kBricksPerTask - 1) / kBricksPerTask),
         [&](std::ptrdiff_t task) {
           const std::size_t first = std::size_t(task) * kBricksPerTask;
-          const std::size_t last = std::min(first + kBricksPerTask, field_.bricks.size());
-          for (std::size_t b = first; b < last; ++b) f(b, parts[std::size_t(task)]);
+          for (std::size_t b = first; b < std::min(first + kBricksPerTask, bricks); ++b) f(b);
         },
         progress);
   }
 
-  // Finds a brick's cut edges and cases, and makes its vertices.
-  void cutBrick(std::size_t brick, Part& part) {
+  Neighbours neighboursOf(std::size_t brick) const {
+    Neighbours result;
+    for (int n = 0; n < 8; ++n)
+      result[std::size_t(n)] =
+          field_.map.find(field_.bricks[brick] + glm::ivec3(n & 1, (n >> 1) & 1, n >> 2));
+    return result;
+  }
+
+  // The set's bits at the eight corners of the cells that start at a brick's nodes.
+  static std::array<NodeSet, 8> atCorners(const std::vector<NodeSet>& sets, const Neighbours& neighbours) {
+    std::array<NodeSet, 8> b;
+    for (std::size_t n = 0; n < 8; ++n) b[n] = neighbours[n] >= 0 ? sets[std::size_t(neighbours[n])] : 0;
+    // Axis by axis: afterwards b[n] belongs to corner n along the axes so far, and to brick n along the others.
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t n = 0; n < 8; ++n)
+        if (const std::size_t step = std::size_t(1) << axis; (n & step) == 0)
+          b[n + step] = shifted(b[n], b[n + step], axis);
+    return b;
+  }
+
+  static BrickCells cellsOf(const std::array<NodeSet, 8>& inside, const std::array<NodeSet, 8>& defined) {
+    NodeSet any = 0, all = ~NodeSet(0), known = ~NodeSet(0);
+    for (std::size_t c = 0; c < 8; ++c) any |= inside[c], all &= inside[c], known &= defined[c];
+    return {inside, any & ~all & known};
+  }
+
+  void findCuts(std::size_t brick) {
+    const Neighbours neighbours = neighboursOf(brick);
+    const auto inside = atCorners(field_.inside, neighbours), defined = atCorners(field_.defined, neighbours);
     BrickCuts& cuts = cuts_[brick];
-    cuts.cubeCase.fill(0);
-    Padded value, coverage;
-    const Neighbours neighbours = upperNeighbours(field_, brick);
-    loadPadded(field_.value, neighbours, value);
-    if (!hasBothSigns(value)) return;
-    loadPadded(field_.coverage, neighbours, coverage);
-    std::uint8_t count = 0;
-    for (std::size_t n = 0; n < kBrickNodes; ++n) {
-      const glm::ivec3 node(int(n % 4), int(n / 4 % 4), int(n / 16));
-      const std::size_t at = paddedIndex(node.x, node.y, node.z);
-      cuts.cubeCase[n] = caseAt(&value[at]);
+    std::uint32_t vertices = 0, triangles = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t next = std::size_t(1) << axis;
+      cuts.edges[axis] = (inside[0] ^ inside[next]) & defined[0] & defined[next];
+      vertices += std::uint32_t(std::popcount(cuts.edges[axis]));
+    }
+    const BrickCells cells = cellsOf(inside, defined);
+    forEachNode(cells.crossed, [&](int node) { triangles += kCubeCases[cells.caseOf(node)].count; });
+    result_.firstVertex[brick + 1] = vertices;
+    firstTriangle_[brick + 1] = triangles;
+  }
+
+  void numberAll() {
+    std::size_t vertices = 0;
+    for (std::size_t b = 0; b < cuts_.size(); ++b) {
+      vertices += result_.firstVertex[b + 1];
+      require(vertices < 0xffffffffu, "The mesh is too fine: lower its resolution.");
+      result_.firstVertex[b + 1] += result_.firstVertex[b];
+      firstTriangle_[b + 1] += firstTriangle_[b];
+      std::uint32_t next = result_.firstVertex[b];
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t next = at + kPaddedStride[axis];
-        const bool cut = isCut(value[at], value[next]);
-        cuts.vertex[3 * n + axis] = cut ? count++ : kNoVertex;
-        if (!cut) continue;
-        const float t = value[at] / (value[at] - value[next]);
-        glm::vec3 position(node);
-        position[int(axis)] += t;
-        addVertex(brick, field_.corner(brick) + field_.cell * position,
-                  coverage[at] + t * (coverage[next] - coverage[at]), part);
+        cuts_[b].first[axis] = next;
+        next += std::uint32_t(std::popcount(cuts_[b].edges[axis]));
       }
     }
-    first_[brick + 1] = count;
   }
 
-  void addVertex(std::size_t brick, const glm::vec3& position, float coverage, Part& part) const {
-    part.positions.push_back(position);
-    part.keep.push_back(keepTest_(brick, position, coverage));
-  }
-
-  // Makes the triangles of a brick's cells whose vertices may all stay.
-  void fillBrick(std::size_t brick, Part& part) const {
-    const BrickCuts& cuts = cuts_[brick];
-    if (std::all_of(cuts.cubeCase.begin(), cuts.cubeCase.end(),
-                    [](std::uint8_t c) { return c == 0 || c == 255; }))
+  // Makes a brick's vertices and the triangles of its cells.
+  void fill(std::size_t brick) {
+    if (result_.firstVertex[brick] == result_.firstVertex[brick + 1] &&
+        firstTriangle_[brick] == firstTriangle_[brick + 1])
       return;
-    const Neighbours neighbours = upperNeighbours(field_, brick);
-    for (std::size_t n = 0; n < kBrickNodes; ++n) {
-      const CubeCase& cube = kCubeCases[cuts.cubeCase[n]];
-      const glm::ivec3 node(int(n % 4), int(n / 4 % 4), int(n / 16));
-      for (std::size_t t = 0; t < cube.count; ++t) {
-        Triangle triangle;
-        for (std::size_t i = 0; i < 3; ++i)
-          triangle[i] = vertexNumber(neighbours, node, cube.triangles[t][i]);
-        if (keep_[triangle[0]] && keep_[triangle[1]] && keep_[triangle[2]])
-          part.triangles.push_back(triangle);
-      }
-    }
+    const Neighbours neighbours = neighboursOf(brick);
+    for (int axis = 0; axis < 3; ++axis) fillVertices(brick, neighbours[std::size_t(1) << axis], axis);
+    std::array<BrickCuts, 8> cuts;
+    for (std::size_t n = 0; n < 8; ++n)
+      if (neighbours[n] >= 0) cuts[n] = cuts_[std::size_t(neighbours[n])];
+    const BrickCells cells =
+        cellsOf(atCorners(field_.inside, neighbours), atCorners(field_.defined, neighbours));
+    Triangle* out = result_.mesh.triangles.data() + firstTriangle_[brick];
+    forEachNode(cells.crossed, [&](int node) {
+      const CubeCase& cube = kCubeCases[cells.caseOf(node)];
+      for (std::size_t t = 0; t < cube.count; ++t, ++out)
+        for (std::size_t i = 0; i < 3; ++i) {
+          const EdgeOwner owner = kEdgeOwners[std::size_t(node)][cube.triangles[t][i]];
+          (*out)[i] = cuts[owner.neighbour].vertex(owner.axis, owner.node);
+        }
+    });
   }
 
-  // The number of the vertex on an edge of the cell at `node`.
-  std::uint32_t vertexNumber(const Neighbours& neighbours, glm::ivec3 node, int edge) const {
-    const int corner = edgeStart(edge);
-    node += glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const auto side = std::size_t(node.x / kBrickEdge + node.y / kBrickEdge * 2 + node.z / kBrickEdge * 4);
-    const auto owner = std::size_t(neighbours[side]);
-    const auto inner = std::size_t((node.z % kBrickEdge * kBrickEdge + node.y % kBrickEdge) * kBrickEdge +
-                                   node.x % kBrickEdge);
-    return first_[owner] + cuts_[owner].vertex[3 * inner + std::size_t(edgeAxis(edge))];
+  // The vertices on a brick's edges along one axis; `next` is the brick in which the outermost end.
+  void fillVertices(std::size_t brick, std::int32_t next, int axis) {
+    const BrickCuts& cuts = cuts_[brick];
+    const glm::vec3 corner = field_.corner(brick);
+    const int stride = kNodeStride[std::size_t(axis)];
+    const NodeSet last = kLayer[std::size_t(axis)][kBrickEdge - 1];
+    std::size_t vertex = cuts.first[std::size_t(axis)];
+    forEachNode(cuts.edges[std::size_t(axis)], [&](int node) {
+      const std::size_t from = brick * kBrickNodes + std::size_t(node);
+      const std::size_t to = (last >> node) & 1
+                                 ? std::size_t(next) * kBrickNodes + std::size_t(node - 3 * stride)
+                                 : from + std::size_t(stride);
+      const float a = field_.value[from], t = a / (a - field_.value[to]);
+      glm::vec3 place(nodePlace(node));
+      place[axis] += t;
+      result_.mesh.positions[vertex] = corner + field_.cell * place;
+      result_.coverage[vertex] = field_.coverage[from] + t * (field_.coverage[to] - field_.coverage[from]);
+      ++vertex;
+    });
   }
 
   const BrickField& field_;
-  const VertexTest& keepTest_;
   std::vector<BrickCuts> cuts_;
-  std::vector<std::uint32_t> first_;  // first vertex of each brick
-  std::vector<std::uint8_t> keep_;    // per vertex
+  std::vector<std::size_t> firstTriangle_;
+  BrickMesh result_;
 };
 
 }  // namespace
 
-BrickMesh meshBricks(const BrickField& field, const VertexTest& keep, const Progress& progress) {
-  return Mesher(field, keep).run(progress);
+BrickMesh meshBricks(const BrickField& field, const Progress& progress) {
+  return Mesher(field).run(progress);
 }
 
 }  // namespace sonoskin

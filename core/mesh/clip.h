@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace sonoskin {
+
+// smoothAlong: smooths values at the vertices of a mesh along its surface; those beyond ±limit stay.
+//   values   one per vertex
+//   steps    each replaces a value by the mean of itself and its neighbours' mean; n steps spread it over about
+//            sqrt(n/2) edges
+//   cost     O(triangles + steps · vertices within the limit)
+std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps);
+
+// clipMesh: the part of a mesh where values at its vertices are > 0, cut through triangles on the line where they are 0.
+//   values   one per vertex
+//   output   vertices that no triangle uses are gone; normals and visibility are kept, and interpolated at the cut; a
+//            manifold mesh stays one. Cuts keep a twentieth of an edge's length from its ends
+Mesh clipMesh(const Mesh& mesh, const std::vector<float>& values);
+
+}  // namespace sonoskin
