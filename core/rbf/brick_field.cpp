@@ -1,5 +1,7 @@
 #include "core/rbf/brick_field.h"
 
+#include <bit>
+
 #include "core/base/parallel.h"
 
 namespace sonoskin {
@@ -33,43 +35,58 @@ NodeSet cutEdges(const BrickField& field, std::size_t brick, std::int32_t next, 
   return changes & field.defined[brick] & shifted(field.defined[brick], nextDefined, axis);
 }
 
-// Calls f(offset) for the bricks that cells around cut edges reach: one node to either side along the other two axes,
-// and for edges that end in the next brick along the axis there too.
-template <class F>
-void forEachNeeded(NodeSet cut, int axis, F&& f) {
+// Offsets: a set of bricks around one; bit (x + 1) + 3 (y + 1) + 9 (z + 1) is the brick at (x, y, z) from it.
+using Offsets = std::uint32_t;
+Offsets bitOf(const glm::ivec3& offset) {
+  return 1u << (offset.x + 1 + 3 * (offset.y + 1) + 9 * (offset.z + 1));
+}
+
+// The bricks that cells around cut edges reach: one node to either side along the other two axes, and for edges that
+// end in the next brick along the axis there too.
+Offsets neededBy(NodeSet cut, int axis) {
   const auto side = [](int along, int step) {
     return step == 0 ? ~NodeSet(0) : kLayer[std::size_t(along)][step < 0 ? 0 : kBrickEdge - 1];
   };
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  Offsets needed = 0;
   for (int stepB = -1; stepB <= 1; ++stepB)
     for (int stepC = -1; stepC <= 1; ++stepC) {
       const NodeSet reaching = cut & side(b, stepB) & side(c, stepC);
       if (reaching == 0) continue;
       glm::ivec3 offset(0);
       offset[b] = stepB, offset[c] = stepC;
-      f(offset);
+      needed |= bitOf(offset);
       if ((reaching & kLayer[std::size_t(axis)][kBrickEdge - 1]) == 0) continue;
       offset[axis] = 1;
-      f(offset);
+      needed |= bitOf(offset);
     }
+  return needed;
+}
+
+void activateAround(BrickField& field, const glm::ivec3& place, Offsets needed) {
+  for (needed &= ~bitOf(glm::ivec3(0)); needed; needed &= needed - 1) {
+    const int bit = std::countr_zero(needed);
+    activate(field, place + glm::ivec3(bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1));
+  }
 }
 
 // Adds the bricks that a brick's own edges, and those that end in it, need.
 void grow(BrickField& field, std::size_t brick, std::size_t sampled) {
   const auto isSampled = [&](std::int32_t b) { return b >= 0 && std::size_t(b) < sampled; };
   const glm::ivec3 place = field.bricks[brick];
+  Offsets needed = 0;
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 step(0);
     step[axis] = 1;
     const std::int32_t next = field.map.find(place + step), last = field.map.find(place - step);
-    const NodeSet own = cutEdges(field, brick, isSampled(next) ? next : -1, axis);
-    if (own) forEachNeeded(own, axis, [&](const glm::ivec3& offset) { activate(field, place + offset); });
+    if (const NodeSet own = cutEdges(field, brick, isSampled(next) ? next : -1, axis))
+      needed |= neededBy(own, axis);
     if (!isSampled(last)) continue;
     const NodeSet into = cutEdges(field, std::size_t(last), std::int32_t(brick), axis) &
                          kLayer[std::size_t(axis)][kBrickEdge - 1];
-    if (into)
-      forEachNeeded(into, axis, [&](const glm::ivec3& offset) { activate(field, place - step + offset); });
+    if (into) activateAround(field, place - step, neededBy(into, axis));
   }
+  activateAround(field, place, needed);
 }
 
 void resizeSamples(BrickField& field) {

@@ -59,7 +59,7 @@ std::vector<float> marginsOf(const SupportMargin& support, const BrickMesh& bric
 
 // Cuts off what the points do not support. The border of points is ragged; smoothed over a few spacings it is not.
 Mesh cutOff(Mesh mesh, std::vector<float> margins, double spacing, float cell) {
-  constexpr double kSmoothedOver = 2;  // spacings
+  constexpr double kSmoothedOver = 5;  // spacings
   if (std::all_of(margins.begin(), margins.end(), [](float m) { return m > 0; })) return mesh;
   const double edges = kSmoothedOver * spacing / double(cell);
   const int steps = std::clamp(int(2 * edges * edges), 2, 200);
