@@ -1,6 +1,5 @@
 #include "app/batch.h"
 
-#include "app/input.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
@@ -42,10 +41,9 @@ struct BatchRun {
 
 Scan load(BatchRun& run) {
   Scan scan;
-  const bool phantom = run.options.input == kPhantomInput;
+  const bool phantom = run.options.input.volume == kPhantomInput;
   run.stage(phantom ? "simulation" : "reading", [&] {
-    scan =
-        loadInput(run.options.input, run.options.mask, run.options.parameters, run.progress.part(0, kLoaded));
+    scan = loadInput(run.options.input, run.options.parameters, run.progress.part(0, kLoaded));
     return scan.volume->data.size() * sizeof(float);
   });
   const Geometry& g = scan.volume->geometry;
@@ -85,9 +83,12 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     progress.update(0.25);
     writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, frame));
     progress.update(0.5);
-    writePng(run.file("volume.png"), pictureOfVolume(*context, scan.volume, look, frame));
+    const Region region = regionOf(scan, run.options.parameters.region);
+    writePng(run.file("volume.png"),
+             pictureOfVolume(*context, withinRegion(scan.volume, region), look, frame));
     progress.update(0.8);
-    const SlicesInput slices{scan.volume, results.classified, results.thinned, middleOf(*results.mesh)};
+    const SlicesInput slices{scan.volume, results.classified, results.thinned, middleOf(*results.mesh),
+                             region};
     writePng(run.file("slices.png"), pictureOfSlices(*context, slices, frame.size));
     return 4 * 4 * std::size_t(frame.size.x) * std::size_t(frame.size.y);
   });
@@ -106,7 +107,7 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
   const Progress progress = run.progress.part(kDrawn, 1);
   for (const std::string& format : options.meshFormats)
     writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.3));
-  if (options.input == kPhantomInput)
+  if (options.input.volume == kPhantomInput)
     writeMesh(run.file("truth.ply"), makePhantomTruth(options.parameters.phantom, progress.part(0.3, 0.7)));
   if (options.keepClassified)
     writeVolume(run.file("classified.nrrd"), *results.classified, scan.beam, progress.part(0.7, 0.9));
@@ -125,7 +126,7 @@ Report runBatch(const BatchOptions& options, const Progress& progress,
                 const Pipeline::StageBegins& stageBegins) {
   const Timer timer;
   BatchRun run{options, progress, stageBegins, OutputFolder(options.folder), {}};
-  run.report.input = inputName(options.input);
+  run.report.input = inputName(options.input.volume);
   run.report.threads = threadCount();
 
   const Scan scan = load(run);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/input.h"
 #include "app/report.h"
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
@@ -14,8 +15,7 @@ namespace sonoskin {
 
 // BatchOptions: one run without a window.
 struct BatchOptions {
-  std::string input;  // a volume file, or "phantom"
-  std::string mask;   // a volume file, see loadInput; empty: none
+  InputFiles input;
   std::filesystem::path folder;
   Parameters parameters;
   std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf

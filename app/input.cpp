@@ -9,11 +9,12 @@
 
 namespace sonoskin {
 
-Scan loadInput(const std::string& input, const std::string& mask, const Parameters& parameters,
-               const Progress& progress) {
-  const Progress volume = mask.empty() ? progress : progress.part(0, 0.8);
-  Scan scan = input == kPhantomInput ? makePhantomScan(parameters.phantom, volume) : readScan(input, volume);
-  if (!mask.empty()) setMask(scan, readScan(mask, progress.part(0.8, 1)));
+Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress) {
+  const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
+  Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
+                                            : readScan(files.volume, volume);
+  if (!files.mask.empty()) setMask(scan, readScan(files.mask, progress.part(0.8, 0.9)));
+  if (!files.erased.empty()) setErased(scan, readScan(files.erased, progress.part(0.9, 1)));
   return scan;
 }
 

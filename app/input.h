@@ -12,11 +12,17 @@ namespace sonoskin {
 // kPhantomInput: stands for the simulated scan where a file name is expected.
 inline constexpr const char* kPhantomInput = "phantom";
 
-// loadInput: the scan that `input` names: "phantom", or a volume file.
-//   mask    a volume file that is not zero where something was scanned; empty: none
-//   errors  Error: see readScan and setMask; Cancelled
-Scan loadInput(const std::string& input, const std::string& mask, const Parameters& parameters,
-               const Progress& progress = {});
+// InputFiles: what a scan is made from; empty names: none.
+//   volume  "phantom", or a volume file
+//   mask    a volume file that is not zero where something was scanned
+//   erased  a volume file that is not zero where nothing counts, such as an arm
+struct InputFiles {
+  std::string volume, mask, erased;
+};
+
+// loadInput: the scan that the files name.
+//   errors  Error: see readScan, setMask and setErased; Cancelled
+Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
 
 // inputName: what a report may say of an input: the file's name without its folders.
 std::string inputName(const std::string& input);

@@ -127,6 +127,14 @@ std::vector<Column> columnsOf(const SlicesInput& input, GpuVolume& thinned) {
   return columns;
 }
 
+// The sides of the region's box, around its outermost voxels; none where nothing is cut.
+std::optional<std::array<glm::dvec3, 2>> boxOf(Region region, const Geometry& g) {
+  region.erased.reset();
+  region.last = glm::min(region.last, g.dims - 1);
+  if (isWhole(region, g)) return {};
+  return std::array{g.toWorld(glm::dvec3(region.first) - 0.5), g.toWorld(glm::dvec3(region.last) + 0.5)};
+}
+
 }  // namespace
 
 Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2 size) {
@@ -142,6 +150,8 @@ Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2
   const int count = int(columns.size());
   const glm::ivec2 panel =
       glm::max((size - kGap * (glm::ivec2(count, 3) - 1)) / glm::ivec2(count, 3), glm::ivec2(1));
+  GpuMask erased;
+  if (input.region.erased) erased.set(*input.region.erased, Hasher("erased").key());
   SliceView view;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < count; ++column) {
@@ -153,7 +163,9 @@ Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2
                  .camera = camera,
                  .volume = c.volume,
                  .window = c.window,
-                 .overlay = c.overlay},
+                 .overlay = c.overlay,
+                 .erased = &erased,
+                 .box = boxOf(input.region, input.raw->geometry)},
                 gl::Target(picture.name(), corner, panel));
     }
   return gl::readImage(picture);

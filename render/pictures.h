@@ -6,6 +6,7 @@
 
 #include "core/io/image.h"
 #include "core/mesh/mesh.h"
+#include "core/surface/region.h"
 #include "render/camera.h"
 #include "render/gl/context.h"
 #include "render/mesh_view.h"
@@ -50,10 +51,12 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
 // SlicesInput: what a picture of slices shows; a null pointer leaves its column out.
 //   raw         the recorded volume; must be there
 //   cursor      world mm, where the three planes meet; without one, the middle of what is bright
+//   region      its box and what is erased are marked where they are not the whole volume
 struct SlicesInput {
   std::shared_ptr<const Volume<float>> raw, classified;
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::optional<glm::dvec3> cursor;
+  Region region{};
 };
 
 // pictureOfSlices: three rows (axial, sagittal, coronal) and a column each for the raw volume, the classified

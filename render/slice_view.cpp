@@ -18,16 +18,16 @@ IndexFrame indexFrame(const SliceFrame& frame, const Geometry& geometry) {
           glm::vec3(toAxes * frame.down / geometry.spacing)};
 }
 
-// The uniforms of one layer; `prefix` is "volume" or "overlay".
-void setLayer(gl::Program& program, const std::string& prefix, const GpuVolume& volume,
-              const SliceFrame& frame) {
-  const Geometry& g = volume.geometry();
+// The uniforms of one layer; `prefix` is "volume", "overlay" or "erased".
+void setLayer(gl::Program& program, const std::string& prefix, const Geometry& g, const SliceFrame& frame) {
   const IndexFrame in = indexFrame(frame, g);
   program.set((prefix + "Corner").c_str(), in.corner);
   program.set((prefix + "Right").c_str(), in.right);
   program.set((prefix + "Down").c_str(), in.down);
-  program.set((prefix + "Dims").c_str(), volume.empty() ? glm::ivec3(0) : g.dims);
+  program.set((prefix + "Dims").c_str(), g.dims);
 }
+
+Geometry geometryOf(const GpuVolume& volume) { return volume.empty() ? Geometry{} : volume.geometry(); }
 
 // From values to shown = value * x + y.
 glm::vec2 windowTerms(const GreyWindow& window) {
@@ -42,32 +42,60 @@ void setCrossHair(gl::Program& program, const SliceViewInput& input, const Slice
   program.set("verticalColour", planeColour(Plane(axisRight(input.camera.plane))));
 }
 
+// The box in the picture: pixels from the left, top, right, bottom; nothing of it where the slice misses it.
+void setBox(gl::Program& program, const SliceViewInput& input, const SliceFrame& frame) {
+  glm::vec4 box(-1e9f, -1e9f, 1e9f, 1e9f);
+  if (input.box) {
+    const auto& [low, high] = *input.box;
+    const int across = axisAcross(input.camera.plane);
+    const double at = input.frame.toIndex(input.camera.cursor)[across];
+    const bool cuts = at >= input.frame.toIndex(low)[across] && at <= input.frame.toIndex(high)[across];
+    box = cuts ? glm::vec4(frame.toPixel(low), frame.toPixel(high)) : glm::vec4(1e9f, 1e9f, -1e9f, -1e9f);
+  }
+  program.set("box", box);
+}
+
 }  // namespace
 
-SliceView::SliceView()
-    : plainProgram_({"common/fullscreen.vert", "volume/slice.frag"}),
-      overlayProgram_({"common/fullscreen.vert", "volume/slice.frag"}, {"OVERLAY"}) {}
+gl::Program& SliceView::programFor(bool overlaid, bool erased) {
+  auto& program = programs_[std::size_t(overlaid) + 2 * std::size_t(erased)];
+  if (!program) {
+    std::vector<std::string> defines;
+    if (overlaid) defines.push_back("OVERLAY");
+    if (erased) defines.push_back("ERASED");
+    program.emplace(std::vector<std::string>{"common/fullscreen.vert", "volume/slice.frag"}, defines);
+  }
+  return *program;
+}
 
 void SliceView::draw(const SliceViewInput& input, const gl::Target& target) {
   const SliceFrame frame = sliceFrame(input.frame, input.camera, target.size);
   const bool overlaid = input.overlay && !input.overlay->empty();
-  auto& program = overlaid ? overlayProgram_ : plainProgram_;
+  const bool erased = input.erased && *input.erased;
+  auto& program = programFor(overlaid, erased);
   target.bind();
   glDisable(GL_BLEND);
   program.use();
   input.volume.values().bind(0);
   program.set("volume", 0);
   program.set("size", target.size);
-  setLayer(program, "volume", input.volume, frame);
+  setLayer(program, "volume", geometryOf(input.volume), frame);
   program.set("window", windowTerms(input.window));
   setCrossHair(program, input, frame);
+  setBox(program, input, frame);
   if (overlaid) {
     input.overlay->values().bind(1);
     program.set("overlay", 1);
-    setLayer(program, "overlay", *input.overlay, frame);
+    setLayer(program, "overlay", geometryOf(*input.overlay), frame);
     program.set("overlayWindow", windowTerms(input.overlayWindow));
     program.set("overlayColour", input.overlayColour);
     program.set("overlayOpacity", input.overlayOpacity);
+  }
+  if (erased) {
+    input.erased->texture().bind(2);
+    program.set("erased", 2);
+    setLayer(program, "erased", input.frame, frame);
+    program.set("erasedColour", input.erasedColour);
   }
   gl::drawFullScreen();
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "render/gpu_mask.h"
 #include "render/gpu_volume.h"
 #include "render/slice_frame.h"
 
@@ -19,6 +23,9 @@ struct GreyWindow {
 //   volume         shown in grey; nothing where it is empty
 //   overlay        may be null; its values, windowed, shown as `overlayColour` (sRGB) over the grey
 //   overlayOpacity 0 to 1
+//   erased         may be null; of the frame's geometry; shown in `erasedColour` (sRGB) where it is not zero
+//   box            two corners in the world, the lowest and the highest along the frame's axes: lines at its sides, and
+//                  darker outside
 //   crossHair      the lines of the other two planes
 struct SliceViewInput {
   const Geometry& frame;
@@ -29,18 +36,21 @@ struct SliceViewInput {
   GreyWindow overlayWindow{};
   glm::vec3 overlayColour{1.0f, 0.62f, 0.16f};
   float overlayOpacity = 1;
+  const GpuMask* erased = nullptr;
+  glm::vec3 erasedColour{0.85f, 0.20f, 0.35f};
+  std::optional<std::array<glm::dvec3, 2>> box{};
   bool crossHair = true;
 };
 
 // SliceView: one slice, with right proportions; grey values go to the screen as they are (sRGB-encoded).
 class SliceView {
  public:
-  SliceView();
-
   void draw(const SliceViewInput& input, const gl::Target& target);
 
  private:
-  gl::Program plainProgram_, overlayProgram_;
+  gl::Program& programFor(bool overlaid, bool erased);
+
+  std::array<std::optional<gl::Program>, 4> programs_;  // made when first needed
 };
 
 }  // namespace sonoskin

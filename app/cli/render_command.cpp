@@ -7,7 +7,7 @@
 
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
-#include "app/cli/mask_option.h"
+#include "app/cli/mask_options.h"
 #include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
@@ -24,7 +24,8 @@ namespace sonoskin {
 namespace {
 
 struct RenderOptions {
-  std::string input, out, mask;
+  InputFiles files;  // or a mesh
+  std::string out;
   std::string view = "skin", mode = "dvr";
   double level = 0;
   bool whole = false;
@@ -45,11 +46,13 @@ bool isMeshFile(const std::string& file) {
 Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                         Console& console) {
   if (o.view != "skin" && o.view != "mesh") {
-    throw Error(fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.input),
-                Error::Kind::usage);
+    throw Error(
+        fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.files.volume),
+        Error::Kind::usage);
   }
   console.beginStage("reading");
-  const auto mesh = std::make_shared<const Mesh>(readMesh(o.input, console.progress().part(0, kComputed)));
+  const auto mesh =
+      std::make_shared<const Mesh>(readMesh(o.files.volume, console.progress().part(0, kComputed)));
   // A mesh file does not tell where the probe was: the options do, for the axes of the world.
   Scan axes;
   axes.volume = std::make_shared<const Volume<float>>();
@@ -60,13 +63,14 @@ Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Cont
 
 Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                           Console& console) {
-  console.beginStage(o.input == kPhantomInput ? "simulation" : "reading");
-  const Scan scan = loadInput(o.input, o.mask, parameters, console.progress().part(0, kLoaded));
+  console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
+  const Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);
   const auto compute = [&](Goal goal) {
     return Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
                           [&](const std::string& stage) { console.beginStage(stage); });
   };
+  const Region region = regionOf(scan, parameters.region);
   if (o.view == "volume") {
     VolumePictureOptions look;
     look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
@@ -74,13 +78,14 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
     look.iso = float(o.level > 0 ? o.level : results.visibleLevel);
     if (!o.whole) look.crop = boxAround(*results.mesh);
     console.beginStage("picture");
-    return pictureOfVolume(context, scan.volume, look, o.picture);
+    return pictureOfVolume(context, withinRegion(scan.volume, region), look, o.picture);
   }
   const Results results = compute(Goal::mesh);
   console.beginStage("picture");
   if (o.view == "slices") {
     return pictureOfSlices(
-        context, {scan.volume, results.classified, results.thinned, middleOf(*results.mesh)}, o.picture.size);
+        context, {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region},
+        o.picture.size);
   }
   return pictureOfMesh(context, results.mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
 }
@@ -92,14 +97,14 @@ void render(RenderOptions& options, Console& console) {
                 parseCamera(options.picture.camera, {}, {}, 1));  // refuses bad words now
   const Parameters parameters = options.parameters.resolve();
   const auto context = gl::makeOffscreenContext(options.backend);
-  const Image picture = isMeshFile(options.input)
+  const Image picture = isMeshFile(options.files.volume)
                             ? pictureOfMeshFile(options, parameters, *context, console)
                             : pictureOfVolumeFile(options, parameters, *context, console);
   console.progress().throwIfCancelled();
   writePng(options.out, picture);
 
   nlohmann::ordered_json json;
-  json["input"] = inputName(options.input);
+  json["input"] = inputName(options.files.volume);
   json["file"] = options.out;
   json["view"] = options.view;
   json["size"] = {picture.width, picture.height};
@@ -114,11 +119,11 @@ void render(RenderOptions& options, Console& console) {
 Command addRenderCommand(CLI::App& program, Console& console) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "one picture of a volume or a mesh");
-  command->add_option("FILE", options->input, "volume or mesh file, or \"phantom\"")
+  command->add_option("FILE", options->files.volume, "volume or mesh file, or \"phantom\"")
       ->required()
       ->type_name("");
   command->add_option("--out", options->out, "picture to write: .png")->required()->type_name("PNG");
-  addMaskOption(*command, options->mask);
+  addMaskOptions(*command, options->files);
   addChoice(
       *command, "--view", options->view, {"skin", "mesh", "volume", "slices"},
       "skin: the surface with the tone of skin (for now a lit mesh: light does not scatter below the skin "
@@ -130,8 +135,9 @@ Command addRenderCommand(CLI::App& program, Console& console) {
                    "for volume: grey of the skin's border, 0 .. 1; found from the volume by default")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.001, 0.999).description(""));
-  command->add_flag("--whole", options->whole,
-                    "for volume: all of it; by default only the box around the surface that was found");
+  command->add_flag(
+      "--whole", options->whole,
+      "for volume: the whole region; by default only the box around the surface that was found");
   command
       ->add_option("--camera", options->picture.camera,
                    "probe, front, back, left, right, top, bottom or portrait, and changes to it: azimuth=, "

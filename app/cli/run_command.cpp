@@ -4,7 +4,7 @@
 #include "app/batch.h"
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
-#include "app/cli/mask_option.h"
+#include "app/cli/mask_options.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 
@@ -36,13 +36,13 @@ Command addRunCommand(CLI::App& program, Console& console) {
   BatchOptions& batch = options->batch;
   CLI::App* command =
       program.add_subcommand("run", "volume -> mesh, pictures, recipe, report; no window needed");
-  command->add_option("INPUT", batch.input, "volume file, or \"phantom\" for the simulated scan")
+  command->add_option("INPUT", batch.input.volume, "volume file, or \"phantom\" for the simulated scan")
       ->required()
       ->type_name("");
   command->add_option("--out", batch.folder, "folder for the results; made where missing")
       ->required()
       ->type_name("DIR");
-  addMaskOption(*command, batch.mask);
+  addMaskOptions(*command, batch.input);
   addChoices(*command, "--export", batch.meshFormats, {"ply", "stl", "obj", "glb", "3mf"},
              "formats of the mesh, with commas");
   addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},

@@ -65,10 +65,13 @@ Prepared prepare(const Scan& scan, const Volume<float>& input, const Parameters&
 }
 
 Points findPoints(const Scan& scan, const Volume<float>& classified, const Prepared& prepared, double iso,
-                  const SurfaceOptions& options, const Progress& progress) {
-  const SurfaceInput input{
-      *scan.volume, classified, prepared.smoothed.lowPassed, {prepared.beam, prepared.view}, iso};
-  FoundSurface found = findSurface(input, options, progress);
+                  const Parameters& parameters, const Progress& progress) {
+  const SurfaceInput input{*scan.volume,
+                           classified,
+                           prepared.smoothed.lowPassed,
+                           {prepared.beam, prepared.view, regionOf(scan, parameters.region)},
+                           iso};
+  FoundSurface found = findSurface(input, parameters.surface, progress);
   return {std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(found.voxels, classified.geometry)),
           std::make_shared<const SurfacePoints>(std::move(found.points)), found.echoOffset};
 }
@@ -245,9 +248,11 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   }
   if (goal == Goal::classified) return results;
 
-  const Key pointsKey = keyOf("points 2", classifyKey, parameters.surface);
+  const Key regionKey = keyOf("region", scan.erasedKey, parameters.region);
+  const Key pointsKey =
+      keyOf("points 3", Hasher("in").add(classifyKey).add(regionKey).key(), parameters.surface);
   const auto points = run.stage("points", 0.6, stages_->points, pointsKey, [&](const Progress& p) {
-    return findPoints(scan, *results.classified, *prepared, results.isoValue, parameters.surface, p);
+    return findPoints(scan, *results.classified, *prepared, results.isoValue, parameters, p);
   });
   results.thinned = points->thinned;
   results.points = points->points;

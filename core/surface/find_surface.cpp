@@ -29,11 +29,12 @@ std::vector<SurfaceVoxel> findVoxels(const SurfaceInput& input, const SurfaceOpt
   const auto thinning = options.thinning == ThinningMethod::thesis ? thinByThesis : thin;
   std::vector<SurfaceVoxel> voxels =
       thinning(input.classified, input.lowPassed, input.frame, options, progress.part(0.1, 0.6));
+  std::erase_if(voxels, [&](const SurfaceVoxel& v) { return !input.frame.region.contains(v.voxel); });
   voxels = dropWeakClusters(voxels, geometry, options);
   progress.update(0.7);
   if (options.firstHit > 0) {
     const FluidLevels levels = findFluidLevels(input.lowPassed, input.frame.view, input.isoValue);
-    voxels = keepFirstHits(voxels, input.lowPassed, input.frame.beam, levels, options.firstHit,
+    voxels = keepFirstHits(voxels, input.lowPassed, input.frame, levels, options.firstHit,
                            progress.part(0.7, 0.9));
     voxels = dropWeakClusters(voxels, geometry, options);  // of what is left
   }

@@ -23,9 +23,12 @@ struct FoundSurface {
 };
 
 // findSurface: from the classified volume to oriented points on the skin.
-//   steps    thin, dropWeakClusters, keepFirstHits, dropWeakClusters, dropLooseLobes, extractSurfacePoints, echoOffset
+//   steps    thin, the frame's region, dropWeakClusters, keepFirstHits, dropWeakClusters, dropLooseLobes,
+//            extractSurfacePoints, echoOffset
 //   scale    with ThresholdScale::strongest the thresholds are shares of the 99.8th percentile of u: soft edges classify
 //            weakly all over a volume, so what counts is how strong a surface is beside the others
+//   region   what is left of the surface is weighed by itself; the thresholds are those of the whole volume, so that a
+//            cut moves nothing that stays
 //   output   no points where nothing is found
 //   cost     467x255x124: 90 ms of one core
 //   errors   Cancelled

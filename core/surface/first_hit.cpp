@@ -14,10 +14,11 @@ constexpr std::ptrdiff_t kBatch = 512;
 // BackwardLook: from surface voxels back to the probe.
 class BackwardLook {
  public:
-  BackwardLook(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed, const Beam& beam,
-               const FluidLevels& levels, double depth)
+  BackwardLook(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed,
+               const ScanFrame& frame, const FluidLevels& levels, double depth)
       : lowPassed_(lowPassed),
-        beams_(beam, lowPassed.geometry),
+        region_(frame.region),
+        beams_(frame.beam, lowPassed.geometry),
         levels_(levels),
         spacing_(lowPassed.geometry.spacing),
         step_(0.5f * float(lowPassed.geometry.minSpacing())),
@@ -34,7 +35,7 @@ class BackwardLook {
     for (int s = 1; s <= steps_; ++s) {
       const glm::vec3 at = (start + float(s) * back) / spacing_;
       if (!isInside(at)) return false;
-      const float value = sampleTrilinear(lowPassed_, at);
+      const float value = greyAt(at);
       const bool tissue = value >= levels_.iso;
       if (!tissue && value < levels_.dark && place != inTissue) return false;
       if (!tissue && place == inTissue) {
@@ -53,6 +54,10 @@ class BackwardLook {
     return glm::all(glm::greaterThanEqual(at, glm::vec3(0))) &&
            glm::all(glm::lessThanEqual(at, glm::vec3(lowPassed_.geometry.dims - 1)));
   }
+  float greyAt(const glm::vec3& at) const {
+    constexpr float kFluid = -1;  // darker than any grey
+    return region_.contains(glm::ivec3(glm::round(at))) ? sampleTrilinear(lowPassed_, at) : kFluid;
+  }
   bool hasSurfaceNear(const glm::ivec3& middle) const {
     const glm::ivec3 low = glm::max(middle - 1, 0), high = glm::min(middle + 1, lowPassed_.geometry.dims - 1);
     for (int k = low.z; k <= high.z; ++k)
@@ -63,6 +68,7 @@ class BackwardLook {
   }
 
   const Volume<float>& lowPassed_;
+  const Region& region_;
   LocalBeams beams_;
   FluidLevels levels_;
   glm::vec3 spacing_;
@@ -92,10 +98,10 @@ FluidLevels findFluidLevels(const Volume<float>& lowPassed, const FieldOfView& v
 }
 
 std::vector<SurfaceVoxel> keepFirstHits(const std::vector<SurfaceVoxel>& voxels,
-                                        const Volume<float>& lowPassed, const Beam& beam,
+                                        const Volume<float>& lowPassed, const ScanFrame& frame,
                                         const FluidLevels& levels, double depth, const Progress& progress) {
   if (!(depth > 0)) return voxels;
-  const BackwardLook look(voxels, lowPassed, beam, levels, depth);
+  const BackwardLook look(voxels, lowPassed, frame, levels, depth);
   std::vector<char> hidden(voxels.size());
   const auto count = std::ptrdiff_t(voxels.size());
   parallelFor((count + kBatch - 1) / kBatch,

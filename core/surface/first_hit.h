@@ -23,12 +23,13 @@ FluidLevels findFluidLevels(const Volume<float>& lowPassed, const FieldOfView& v
 //            tissue (v~ >= iso), to a border that has a surface voxel within a voxel. It stays if the dark before it
 //            holds fluid (v~ < dark): then it is the border of something else that floats there, as a cheek behind a
 //            finger; and if the way is longer: the wall of the uterus near the probe hides nothing behind it.
+//            What lies outside the frame's region is not there: it counts as fluid.
 //   voxels   in the order of memory; only these hide others
 //   depth    mm; 0 keeps all
 //   output   in the same order
 //   errors   Cancelled
 std::vector<SurfaceVoxel> keepFirstHits(const std::vector<SurfaceVoxel>& voxels,
-                                        const Volume<float>& lowPassed, const Beam& beam,
+                                        const Volume<float>& lowPassed, const ScanFrame& frame,
                                         const FluidLevels& levels, double depth,
                                         const Progress& progress = {});
 

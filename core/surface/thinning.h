@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/surface/region.h"
 #include "core/surface/surface_options.h"
 #include "core/volume/field_of_view.h"
 #include "core/volume/scan.h"
@@ -17,10 +18,11 @@ struct SurfaceVoxel {
   float value;         // u, > 0
 };
 
-// ScanFrame: where the sound came from and how far the recording reaches.
+// ScanFrame: where the sound came from, how far the recording reaches, and what of it counts.
 struct ScanFrame {
   Beam beam;
   FieldOfView view;
+  Region region{};
 };
 
 // thin: non-maximum suppression of the classified volume u across the surface.

@@ -47,21 +47,40 @@ Beam beamOf(const Scan& scan, const ScanOptions& options) {
   return beam;
 }
 
-void setMask(Scan& scan, const Scan& mask) {
-  const glm::ivec3 a = mask.volume->geometry.dims, b = scan.volume->geometry.dims;
-  require(a == b, "the mask has {} x {} x {} voxels, but the volume {} x {} x {}: they must be the same", a.x,
-          a.y, a.z, b.x, b.y, b.z);
+namespace {
+
+// Where a volume that was read from a file was not zero there; `name` is what a person calls it.
+Volume<std::uint8_t> notZeroInFile(const Scan& file, const Geometry& geometry, const char* name) {
+  const glm::ivec3 a = file.volume->geometry.dims, b = geometry.dims;
+  require(a == b, "the {} has {} x {} x {} voxels, but the volume {} x {} x {}: they must be the same", name,
+          a.x, a.y, a.z, b.x, b.y, b.z);
   const double zero =
-      -mask.originalMin / (mask.originalMax - mask.originalMin);  // what 0 became when it was read
-  auto inside = std::make_shared<Volume<std::uint8_t>>(scan.volume->geometry);
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < inside->data.size(); ++v) {
-    inside->data[v] = std::abs(double(mask.volume->data[v]) - std::clamp(zero, 0.0, 1.0)) > 1e-6;
-    count += inside->data[v];
-  }
-  require(count > 0, "the mask is zero everywhere: it must not be zero where something was scanned");
+      -file.originalMin / (file.originalMax - file.originalMin);  // what 0 became when it was read
+  Volume<std::uint8_t> marked(geometry);
+  for (std::size_t v = 0; v < marked.data.size(); ++v)
+    marked.data[v] = std::abs(double(file.volume->data[v]) - std::clamp(zero, 0.0, 1.0)) > 1e-6;
+  return marked;
+}
+
+bool isZero(const Volume<std::uint8_t>& volume) {
+  return std::none_of(volume.data.begin(), volume.data.end(), [](std::uint8_t v) { return v != 0; });
+}
+
+}  // namespace
+
+void setMask(Scan& scan, const Scan& mask) {
+  auto inside = std::make_shared<Volume<std::uint8_t>>(notZeroInFile(mask, scan.volume->geometry, "mask"));
+  require(!isZero(*inside), "the mask is zero everywhere: it must not be zero where something was scanned");
   scan.key = Hasher("masked").add(scan.key).add(std::span<const std::uint8_t>(inside->data)).key();
   scan.mask = std::move(inside);
+}
+
+void setErased(Scan& scan, const Scan& erased) {
+  auto marked =
+      std::make_shared<Volume<std::uint8_t>>(notZeroInFile(erased, scan.volume->geometry, "erased volume"));
+  require(!isZero(*marked), "the erased volume is zero everywhere: it must not be zero where nothing counts");
+  scan.erasedKey = Hasher("erased").add(std::span<const std::uint8_t>(marked->data)).key();
+  scan.erased = std::move(marked);
 }
 
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam) {

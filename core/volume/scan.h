@@ -41,13 +41,15 @@ class LocalBeams {
 
 // Scan: a recorded volume and what is known of it. Holds nothing that identifies a patient.
 struct Scan {
-  std::shared_ptr<const Volume<float>> volume;       // normalised to [0, 1]
-  double originalMin = 0, originalMax = 1;           // what 0 and 1 were in the file
-  std::string originalType = "float";                // number type in the file, such as "uint8"
-  bool spacingKnown = true;                          // false: the file gave none and 1 mm was assumed
-  std::optional<Beam> beam;                          // where the file or the phantom tells
-  std::shared_ptr<const Volume<std::uint8_t>> mask;  // not zero where something was scanned; may be missing
-  Key key;                                           // of geometry and voxels
+  std::shared_ptr<const Volume<float>> volume;         // normalised to [0, 1]
+  double originalMin = 0, originalMax = 1;             // what 0 and 1 were in the file
+  std::string originalType = "float";                  // number type in the file, such as "uint8"
+  bool spacingKnown = true;                            // false: the file gave none and 1 mm was assumed
+  std::optional<Beam> beam;                            // where the file or the phantom tells
+  std::shared_ptr<const Volume<std::uint8_t>> mask;    // not zero where something was scanned; may be missing
+  Key key;                                             // of geometry and voxels
+  std::shared_ptr<const Volume<std::uint8_t>> erased;  // not zero where nothing counts; may be missing
+  Key erasedKey;                                       // of what is erased; not part of `key`
 };
 
 // beamOf: the beam that the file tells, else one from the side that the options name; its origin as the options say.
@@ -57,6 +59,10 @@ Beam beamOf(const Scan& scan, const ScanOptions& options);
 // setMask: takes another volume as the mask of what was scanned: where it is not zero in its file.
 //   errors  Error: it has other dimensions, or is zero everywhere
 void setMask(Scan& scan, const Scan& mask);
+
+// setErased: takes another volume as what was erased by hand: where it is not zero in its file.
+//   errors  Error: it has other dimensions, or is zero everywhere
+void setErased(Scan& scan, const Scan& erased);
 
 // scanKey: the fingerprint of geometry, voxels and beam.
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam);

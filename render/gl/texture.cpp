@@ -80,6 +80,13 @@ void Texture::upload(const void* texels) {
     glTextureSubImage2D(name(), 0, 0, 0, s.x, s.y, f.external, f.type, texels);
 }
 
+void Texture::uploadSlices(int first, int count, const void* texels) {
+  const auto f = info(description_.format);
+  const auto s = description_.size;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage3D(name(), 0, 0, 0, first, s.x, s.y, count, f.external, f.type, texels);
+}
+
 void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, name()); }
 
 void Texture::Traits::destroy(unsigned name) { glDeleteTextures(1, &name); }

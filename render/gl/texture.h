@@ -35,6 +35,8 @@ class Texture {
   // upload: replaces all texels by tightly packed values, x fastest, of the kind the format names:
   // r8, rgba8: bytes; r16: 16-bit; the others: 32-bit floats.
   void upload(const void* texels);
+  // uploadSlices: the same for some slices of a 3D texture alone; `texels` begin with those.
+  void uploadSlices(int first, int count, const void* texels);
   // bind: shaders find it at texture unit `unit`.
   void bind(unsigned unit) const;
 

@@ -88,6 +88,42 @@ TEST(RunCommand, AMaskTellsWhatWasScanned) {
   EXPECT_FALSE(std::filesystem::exists(folder / "no"));
 }
 
+// What is erased, and what is cut away, is not there; the recipe brings the cut back.
+TEST(RunCommand, ErasedAndCutPartsHaveNoSurface) {
+  const TempFolder folder;
+  const std::string header =
+      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nspacings: 1 1 1\nencoding: raw\n\n";
+  std::string erased = header;
+  for (int row = 0; row < 64 * 31; ++row) erased += std::string(50, '\x07') + std::string(67, '\0');
+  const std::string file = folder.write("erased.nrrd", erased).string();
+  const ProgramResult result =
+      sonoskin(withSmall({"run", "phantom", "--out", (folder / "out").string(), "--erase", file,
+                          "--region.cutHigh", "40,0,0", "--size", "64x64"}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Mesh mesh = readMesh(folder / "out/mesh.ply");
+  ASSERT_GT(mesh.positions.size(), 500u);
+  for (const glm::vec3& p : mesh.positions) {
+    EXPECT_GT(p.x, 50 * 1.2f - 2.5f);
+    EXPECT_LT(p.x, 116 * 1.2f - 40 + 2.5f);
+  }
+  EXPECT_NE(fileText(folder / "out/recipe.json").find("\"cutHigh\": [\n      40.0"), std::string::npos);
+
+  const auto refusal = [&](const std::string& bytes, const std::string& dims) {
+    const std::string bad = folder.write("bad.nrrd", bytes).string();
+    const ProgramResult refused = sonoskin(
+        {"run", "phantom", "--out", (folder / "no").string(), "--erase", bad, "--phantom.dims", dims});
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / "no"));
+    return refused.err;
+  };
+  const std::string wrong = refusal(erased, "64x64x31");
+  EXPECT_NE(wrong.find("the erased volume has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
+            std::string::npos)
+      << wrong;
+  EXPECT_NE(refusal("no volume at all", "64x64x31").find("bad.nrrd"), std::string::npos);
+  EXPECT_NE(refusal(header + "too short", "117x64x31").find("bad.nrrd"), std::string::npos);
+}
+
 TEST(RunCommand, AFailureLeavesNothingBehind) {
   const TempFolder folder;
   const auto bad = folder.write("bad.nrrd",

@@ -33,9 +33,9 @@ struct Layers {
         for (int i = 2; i < 18; ++i) voxels.push_back({{i, layer.from, k}, {i, layer.from, k}, 0.9f});
   }
   // keptAt: how many of the surface voxels at that j are kept.
-  std::size_t keptAt(int j, double depth, const Beam& beam = {}) const {
+  std::size_t keptAt(int j, double depth, const ScanFrame& frame = {}) const {
     std::size_t count = 0;
-    for (const SurfaceVoxel& s : keepFirstHits(voxels, v, beam, {0.4f, 0.15f}, depth))
+    for (const SurfaceVoxel& s : keepFirstHits(voxels, v, frame, {0.4f, 0.15f}, depth))
       count += s.voxel.y == j;
     return count;
   }
@@ -69,14 +69,29 @@ TEST(FirstHit, OnlySurfacesHide) {
   EXPECT_EQ(bone.keptAt(20, 15), kAll);
 }
 
+// What was erased or cut away is not there: what lies before the bone hides it only where it was left.
+TEST(FirstHit, WhatWasErasedHidesNothing) {
+  const Layers bone({{10, 13}, {20, 24}}, 0.3f);
+  auto erased = std::make_shared<Volume<std::uint8_t>>(bone.geometry);
+  for (int k = 0; k < 20; ++k)
+    for (int j = 8; j < 16; ++j)
+      for (int i = 10; i < 20; ++i) erased->at(i, j, k) = 1;
+  ScanFrame frame;
+  frame.region.erased = erased;
+  EXPECT_EQ(bone.keptAt(20, 15, frame), kAll / 2);
+  ScanFrame cut;
+  cut.region.first = {0, 16, 0};
+  EXPECT_EQ(bone.keptAt(20, 15, cut), kAll);
+}
+
 TEST(FirstHit, LooksAlongTheBeams) {
   const Layers bone({{10, 13}, {20, 24}}, 0.3f);
   Beam fromTheSide;
   fromTheSide.axis = {1, 0, 0};
-  EXPECT_EQ(bone.keptAt(20, 15, fromTheSide), kAll);
+  EXPECT_EQ(bone.keptAt(20, 15, {fromTheSide, {}}), kAll);
   Beam fan;
   fan.apex = glm::dvec3(10, -20, 10);
-  EXPECT_EQ(bone.keptAt(20, 15, fan), 0u);
+  EXPECT_EQ(bone.keptAt(20, 15, {fan, {}}), 0u);
 }
 
 // A sheet that the beam grazes is not hidden by itself.

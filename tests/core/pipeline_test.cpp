@@ -101,6 +101,33 @@ TEST_F(PipelineTest, EnhancementIsDoneOnceAndReachesEverythingBehindIt) {
             (std::vector<std::string>{"low-pass", "classification", "points"}));
 }
 
+// A cut or an eraser asks for new points, not for a new classification; going back costs nothing.
+TEST_F(PipelineTest, TheRegionReachesThePointsAlone) {
+  const Results whole = pipeline.run(scan, parameters, Goal::points);
+  Parameters cut = parameters;
+  cut.region.cutLow[0] = 9;  // the middle of the ball
+  const Results half = pipeline.run(scan, cut, Goal::points);
+  EXPECT_EQ(computed(half), std::vector<std::string>{"points"});
+  EXPECT_EQ(half.classified, whole.classified);
+  EXPECT_EQ(half.isoValue, whole.isoValue);
+  EXPECT_NEAR(double(half.points->size()), 0.5 * double(whole.points->size()),
+              0.05 * double(whole.points->size()));
+  for (const glm::vec3& p : half.points->positions) EXPECT_GT(p.x, 8.5f);
+
+  Scan erased = scan;
+  auto mask = std::make_shared<Volume<std::uint8_t>>(scan.volume->geometry);
+  for (std::size_t v = 0; v < mask->data.size(); ++v) mask->data[v] = v % 60 < 30;
+  erased.erased = mask;
+  erased.erasedKey = Hasher("left half").key();
+  const Results right = pipeline.run(erased, parameters, Goal::points);
+  EXPECT_EQ(computed(right), std::vector<std::string>{"points"});
+  for (const glm::vec3& p : right.points->positions) EXPECT_GT(p.x, 8.5f);
+
+  const Results back = pipeline.run(scan, parameters, Goal::points);
+  EXPECT_TRUE(computed(back).empty());
+  EXPECT_EQ(back.points, whole.points);
+}
+
 TEST_F(PipelineTest, GoalsEndTheWayEarlier) {
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::classified).points);
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::points).mesh);

@@ -98,6 +98,54 @@ TEST_F(SliceViewTest, CoarseOverlayLiesWhereItIsInTheWorld) {
   EXPECT_EQ(pixel(image, 6, 10).g, 0);
 }
 
+TEST_F(SliceViewTest, ErasedVoxelsAreTintedAndOthersAreNot) {
+  GpuVolume volume;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.4f)));
+  const Geometry g = geometry();
+  Volume<std::uint8_t> mask(g);
+  mask.at(7, 5, 3) = mask.at(8, 5, 3) = mask.at(7, 9, 4) = 1;
+  GpuMask erased;
+  erased.set(mask, Hasher("first").key());
+  const SliceCamera camera{.plane = Plane::axial, .cursor = g.toWorld({0, 0, 3})};
+  SliceViewInput input{.frame = g, .camera = camera, .volume = volume, .crossHair = false};
+  input.erased = &erased;
+  const auto tinted = [&] {
+    std::vector<glm::ivec2> found;
+    const Image image = draw(input, {24, 16});
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 24; ++x)
+        if (pixel(image, x, y).r > pixel(image, x, y).g + 30) found.push_back({x, y});
+    return found;
+  };
+  EXPECT_EQ(tinted(), (std::vector<glm::ivec2>{{7, 5}, {8, 5}}));
+
+  // Painted on: what a new key brings, in the slices that have changed.
+  mask.at(8, 5, 3) = 0;
+  mask.at(20, 11, 3) = 1;
+  erased.set(mask, Hasher("first").key());
+  EXPECT_EQ(tinted(), (std::vector<glm::ivec2>{{7, 5}, {8, 5}})) << "the key says that nothing changed";
+  erased.set(mask, Hasher("second").key());
+  EXPECT_EQ(tinted(), (std::vector<glm::ivec2>{{7, 5}, {20, 11}}));
+}
+
+TEST_F(SliceViewTest, OutsideTheBoxIsDarker) {
+  GpuVolume volume;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.8f)));
+  const Geometry g = geometry();
+  SliceCamera camera{.plane = Plane::axial, .cursor = g.toWorld({0, 0, 3})};
+  SliceViewInput input{.frame = g, .camera = camera, .volume = volume, .crossHair = false};
+  input.box = {{g.toWorld({4.5, 3.5, 1.5}), g.toWorld({20.5, 12.5, 5.5})}};
+  const Image image = draw(input, {240, 160});
+  for (const glm::ivec2 inside : {glm::ivec2(60, 50), glm::ivec2(190, 120)})
+    EXPECT_NEAR(pixel(image, inside.x, inside.y).r, 204, 1);
+  for (const glm::ivec2 outside :
+       {glm::ivec2(40, 80), glm::ivec2(215, 80), glm::ivec2(100, 30), glm::ivec2(100, 140)})
+    EXPECT_NEAR(pixel(image, outside.x, outside.y).r, 82, 1);
+  EXPECT_GT(pixel(image, 50, 80).b, pixel(image, 50, 80).r + 60) << "a line at its side";
+  camera.cursor = g.toWorld({0, 0, 6});  // a slice beside the box
+  EXPECT_NEAR(pixel(draw(input, {240, 160}), 100, 80).r, 82, 1);
+}
+
 TEST_F(SliceViewTest, CrossHairHasTheColoursOfTheOtherPlanes) {
   GpuVolume volume;
   volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.0f)));
