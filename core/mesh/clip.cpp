@@ -116,10 +116,12 @@ class Clipper {
 
 }  // namespace
 
-std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps) {
+std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps,
+                               const Progress& progress) {
   const Rings rings = findRings(mesh, values, limit);
   std::vector<float> smoothed(rings.vertices.size());
   for (int step = 0; step < steps; ++step) {
+    progress.update(double(step) / double(steps));
     for (std::size_t i = 0; i < rings.vertices.size(); ++i) {
       float sum = 0;
       for (std::size_t n = rings.start[i]; n < rings.start[i + 1]; ++n) sum += values[rings.ring[n]];

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
 namespace sonoskin {
@@ -11,7 +12,9 @@ namespace sonoskin {
 //   steps    each replaces a value by the mean of itself and its neighbours' mean; n steps spread it over about
 //            sqrt(n/2) edges
 //   cost     O(triangles + steps · vertices within the limit)
-std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps);
+//   errors   Cancelled
+std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps,
+                               const Progress& progress = {});
 
 // clipMesh: the part of a mesh where values at its vertices are > 0, cut through triangles on the line where they are 0.
 //   values   one per vertex

@@ -58,12 +58,14 @@ std::vector<float> marginsOf(const SupportMargin& support, const BrickMesh& bric
 }
 
 // Cuts off what the points do not support. The border of points is ragged; smoothed over a few spacings it is not.
-Mesh cutOff(Mesh mesh, std::vector<float> margins, double spacing, float cell) {
+Mesh cutOff(Mesh mesh, std::vector<float> margins, double spacing, float cell, const Progress& progress) {
   constexpr double kSmoothedOver = 5;  // spacings
   if (std::all_of(margins.begin(), margins.end(), [](float m) { return m > 0; })) return mesh;
   const double edges = kSmoothedOver * spacing / double(cell);
   const int steps = std::clamp(int(2 * edges * edges), 2, 200);
-  return clipMesh(mesh, smoothAlong(mesh, std::move(margins), SupportMargin::kBand, steps));
+  margins = smoothAlong(mesh, std::move(margins), SupportMargin::kBand, steps, progress);
+  progress.update(1);
+  return clipMesh(mesh, margins);
 }
 
 }  // namespace
@@ -100,7 +102,8 @@ Mesh extractIsoSurface(const ImplicitFunction& function, const SurfacePoints& po
   BrickMesh bricks = meshBricks(field, progress.part(0.45, 0.65));
   computeModelNormals(function, field, bricks, progress.part(0.65, 0.8));
   std::vector<float> margins = marginsOf(support, bricks, progress.part(0.8, 0.9));
-  Mesh mesh = cutOff(std::move(bricks.mesh), std::move(margins), spacing, function.cell);
+  Mesh mesh =
+      cutOff(std::move(bricks.mesh), std::move(margins), spacing, function.cell, progress.part(0.9, 0.97));
   require(!mesh.empty(), "The surface has no part that is supported well enough; lower the mesh's support.");
   progress.update(1);
   return mesh;
