@@ -32,7 +32,7 @@ constexpr std::array<const char*, 7> enumNames(GlobalBasis) {
 struct GlobalOptions {
   GlobalBasis basis = GlobalBasis::biharmonic;
   int degree = 1;
-  double width = 10;
+  double width = 3;
   double offset = 1;
   double offsetShare = 0.5;
   double accuracy = 0.2;
@@ -45,8 +45,10 @@ template <class F, class O>
 requires OptionsOf<O, GlobalOptions>
 void fields(F&& f, O& o) {
   f(Field{"basis", "the radial function; the harmonic ones and thinPlate have no width"}, o.basis);
-  f(Field{"degree", "degree of the polynomial, -1: none; raised to what the basis needs"}, o.degree,
-    Range{-1, 2});
+  f(Field{"degree",
+          "degree of the polynomial, -1: none; at least 0 for biharmonic and multiquadric, 1 for triharmonic "
+          "and thinPlate"},
+    o.degree, Range{-1, 2});
   f(Field{"width", "width of gaussian, multiquadric, inverseMultiquadric; support of wendland", "mm"},
     o.width, Range{0.1, 1000.0, true});
   f(Field{"offset", "distance of the points off the surface; halved where another part of it is nearer",

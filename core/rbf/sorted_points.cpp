@@ -24,6 +24,8 @@ bool lieOnOneLine(const std::vector<glm::vec3>& positions, float diagonal) {
   return true;
 }
 
+}  // namespace
+
 void checkPoints(const SurfacePoints& points) {
   require(points.size() >= kMinPointsInSupport,
           "Only {} surface points were found, but a surface needs at least {}; lower the surface threshold.",
@@ -43,6 +45,8 @@ void checkPoints(const SurfacePoints& points) {
           "All {} surface points lie on one line, which spans no surface; lower the surface threshold.",
           points.size());
 }
+
+namespace {
 
 void copySorted(const SurfacePoints& points, SortedPoints& sorted) {
   const std::size_t count = points.size();

@@ -21,9 +21,13 @@ struct SortedPoints {
   glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-// sortPoints: checks the points, sorts them and measures their density.
+// checkPoints: what every fit asks of its points.
 //   errors   Error: fewer than 12 points, a number that is not finite, a missing normal, a confidence <= 0,
-//            all points on one line; Cancelled
+//            all points on one line
+void checkPoints(const SurfacePoints& points);
+
+// sortPoints: checks the points, sorts them and measures their density.
+//   errors   Error: see checkPoints; Cancelled
 SortedPoints sortPoints(const SurfacePoints& points, const ReconstructionOptions& options,
                         const Progress& progress = {});
 

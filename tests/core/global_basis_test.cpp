@@ -1,0 +1,94 @@
+#include "core/rbf/global_basis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/global_sites.h"
+
+namespace sonoskin {
+namespace {
+
+using test::kAllBases;
+
+TEST(GlobalBasis, HasTheValuesOfItsFormula) {
+  const double r = 0.6, w = 1.5, c = 1 / (w * w), t = r / w;
+  const auto value = [&](GlobalBasis b) { return kernelValue({b, w}, r * r); };
+  EXPECT_NEAR(value(GlobalBasis::biharmonic), -r, 1e-15);
+  EXPECT_NEAR(value(GlobalBasis::triharmonic), r * r * r, 1e-15);
+  EXPECT_NEAR(value(GlobalBasis::thinPlate), r * r * std::log(r), 1e-14);
+  EXPECT_NEAR(value(GlobalBasis::gaussian), std::exp(-c * r * r), 1e-14);
+  EXPECT_NEAR(value(GlobalBasis::multiquadric), -std::sqrt(1 + c * r * r), 1e-15);
+  EXPECT_NEAR(value(GlobalBasis::inverseMultiquadric), 1 / std::sqrt(1 + c * r * r), 1e-15);
+  EXPECT_NEAR(value(GlobalBasis::wendland), std::pow(1 - t, 4) * (4 * t + 1), 1e-15);
+  EXPECT_EQ(kernelValue({GlobalBasis::wendland, 0.5}, r * r), 0);
+}
+
+TEST(GlobalBasis, AtTheCentreItIsFiniteAndHasNoSlopeToSpeakOf) {
+  for (const GlobalBasis b : kAllBases) {
+    EXPECT_TRUE(std::isfinite(kernelValue({b, 1}, 0))) << int(b);
+    EXPECT_TRUE(std::isfinite(kernelSlope({b, 1}, 0))) << int(b);
+  }
+  EXPECT_EQ(kernelValue({GlobalBasis::thinPlate, 1}, 0), 0);
+}
+
+TEST(GlobalBasis, TheSlopeEqualsDifferences) {
+  const double step = 1e-5;
+  for (const GlobalBasis b : kAllBases)
+    for (const double r : {0.05, 0.3, 0.9, 1.4}) {
+      const RadialKernel kernel{b, 1.2};
+      const double above = kernelValue(kernel, (r + step) * (r + step));
+      const double below = kernelValue(kernel, (r - step) * (r - step));
+      EXPECT_NEAR(kernelSlope(kernel, r * r) * r, (above - below) / (2 * step), 1e-8) << int(b);
+    }
+}
+
+// λᵀAλ > 0 for every λ without a polynomial part of the minimum degree: the signs are right.
+TEST(GlobalBasis, TheEnergyIsPositiveOnTheConstrainedSpace) {
+  const Sites sites = test::randomSites(40);
+  for (const GlobalBasis b : kAllBases) {
+    const Eigen::MatrixXd matrix = kernelMatrix({b, 0.5}, sites);
+    const PolynomialSpace polynomials(sites, minimumDegree(b));
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      Eigen::VectorXd v = test::randomVector(sites.size(), seed);
+      polynomials.project(v);
+      EXPECT_GT(v.dot(matrix * v), 1e-3 * v.squaredNorm()) << int(b);
+    }
+  }
+}
+
+// One degree less, and the energy of some λ is negative.
+TEST(GlobalBasis, TheMinimumDegreeIsNeeded) {
+  const Sites sites = test::randomSites(40);
+  for (const GlobalBasis b : kAllBases) {
+    if (minimumDegree(b) < 0) continue;
+    const Eigen::MatrixXd matrix = kernelMatrix({b, 0.5}, sites);
+    const PolynomialSpace polynomials(sites, minimumDegree(b) - 1);
+    double least = 1;
+    for (int axis = 0; axis < 4; ++axis) {
+      Eigen::VectorXd v = monomialMatrix(sites, 1).col(axis);
+      polynomials.project(v);
+      least = std::min(least, v.dot(matrix * v));
+    }
+    EXPECT_LT(least, 0) << int(b);
+  }
+}
+
+// Positions in other units: the same weights up to a factor, if the diagonal goes with it.
+TEST(GlobalBasis, TheDiagonalFactorKeepsTheFit) {
+  const Sites sites = test::randomSites(60);
+  const Eigen::VectorXd values = test::randomVector(sites.size());
+  Sites scaled;
+  for (std::size_t i = 0; i < sites.size(); ++i) scaled.push_back(7.0 * sites[i]);
+  for (const GlobalBasis b : kAllBases) {
+    const GlobalSystem one{sites, {b, 0.5}, 1, 0.3 * diagonalFactor(b, 7)};
+    const GlobalSystem seven{scaled, {b, 3.5}, 1, 0.3};
+    const SolverOptions exact{1e-13, 100, {}};
+    const GlobalSolution a = solveGlobal(one, values, {}, exact), c = solveGlobal(seven, values, {}, exact);
+    for (const glm::dvec3 p : {glm::dvec3(0.1, 0.2, -0.3), {0.8, -0.5, 0}})
+      EXPECT_NEAR(test::valueAt(one, a, p), test::valueAt(seven, c, 7.0 * p), 1e-6) << int(b);
+  }
+}
+
+}  // namespace
+}  // namespace sonoskin
