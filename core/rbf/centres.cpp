@@ -1,6 +1,7 @@
 #include "core/rbf/centres.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -10,7 +11,8 @@
 namespace sonoskin {
 namespace {
 
-constexpr std::size_t kSmallestBatch = 64, kLargestBatch = 1024;
+constexpr std::size_t kSmallestBatch = 16, kLargestBatch = 512;
+constexpr std::size_t kDeferredPerBatch = 2;  // so many times a full batch are left out before it is fitted
 constexpr std::ptrdiff_t kFitsPerTask = 4;
 constexpr int kThresholds = 10;
 
@@ -23,11 +25,11 @@ std::vector<std::uint32_t> randomOrder(std::size_t count) {
   return order;
 }
 
-// A fitted centre and the points that it covers.
+// A fitted centre and the points that it covers, with φ and φ g there.
 struct Candidate {
   FittedCentre centre;
   std::vector<std::uint32_t> covered;
-  std::vector<float> phi;
+  std::vector<float> phi, weighted;
 };
 
 // Refills a candidate, whose memory is used again from batch to batch.
@@ -35,35 +37,81 @@ void fitCandidate(const SortedPoints& points, std::uint32_t point, const Support
                   Candidate& candidate) {
   thread_local Neighbourhood scratch;
   candidate.centre = fitCentre(points, point, rule, double(hint), scratch);
-  candidate.covered.clear();
-  candidate.phi.clear();
-  const auto sigma = float(candidate.centre.sigma);
-  scratch.forEachWithin(sigma, [&](std::uint32_t i, float distance) {
-    candidate.covered.push_back(i);
-    candidate.phi.push_back(wendland(distance / sigma));
-  });
+  candidate.covered.assign(scratch.selected().begin(), scratch.selected().end());
+  const LocalSamples s = scratch.selection();
+  candidate.phi.resize(s.count);
+  candidate.weighted.resize(s.count);
+  float *phi = candidate.phi.data(), *weighted = candidate.weighted.data();
+  const auto inverse = float(1 / candidate.centre.sigma);
+  const LocalQuadric& q = candidate.centre.fit.quadric;
+  const auto A = float(q.A), B2 = float(2 * q.B), C = float(q.C), D = float(q.D), E = float(q.E),
+             F = float(q.F);
+#pragma omp simd
+  for (std::size_t j = 0; j < s.count; ++j) {
+    const float u = s.u[j], v = s.v[j];
+    phi[j] = wendland(s.r[j] * inverse);
+    weighted[j] = phi[j] * (s.w[j] - (u * (A * u + B2 * v + D) + v * (C * v + E) + F));
+  }
 }
+
+// What is known at a point so far.
+struct PointState {
+  float overlap = 0, weighted = 0;  // Σ φ, Σ φ g
+  float hint = 0;                   // support of the centre that last covered the point
+};
 
 class Cover {
  public:
   Cover(const SortedPoints& points, const SupportRule& rule)
-      : points_(points), rule_(rule), overlap_(points.size(), 0), hint_(points.size(), 0) {}
+      : points_(points), rule_(rule), states_(points.size()) {}
 
   // Goes once through the points and lifts each to `threshold`.
   void raise(const std::vector<std::uint32_t>& order, float threshold, const Progress& progress) {
-    std::vector<std::uint32_t> batch;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (overlap_[order[i]] < threshold) batch.push_back(order[i]);
-      if (batch.size() >= batchSize_ || i + 1 == order.size()) {
-        fitAndAccept(batch, threshold, progress);
-        batch.clear();
-        progress.update(double(i + 1) / double(order.size()));
-      }
+    std::vector<std::uint32_t> batch, deferred, waiting;
+    for (std::size_t next = 0; next < order.size() || !waiting.empty();) {
+      batch.clear();
+      deferred.clear();
+      const auto isFull = [&] {
+        return batch.size() >= batchSize_ || deferred.size() > kDeferredPerBatch * batchSize_;
+      };
+      const auto sort = [&](std::uint32_t point) {
+        if (states_[point].overlap < threshold)
+          (isCoveredBy(batch, point, threshold) ? deferred : batch).push_back(point);
+      };
+      std::size_t taken = 0;
+      while (taken < waiting.size() && !isFull()) sort(waiting[taken++]);
+      while (next < order.size() && !isFull()) sort(order[next++]);
+      deferred.insert(deferred.end(), waiting.begin() + std::ptrdiff_t(taken), waiting.end());
+      std::swap(waiting, deferred);
+      fitAndAccept(batch, threshold, progress);
+      progress.update(double(next) / double(order.size()));
     }
   }
-  std::vector<Centre> take() { return std::move(centres_); }
+
+  CentreSelection take() {
+    CentreSelection result{std::move(centres_), std::vector<float>(points_.size()), {}};
+    result.base.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      result.overlap[i] = states_[i].overlap;
+      result.base[i] = states_[i].weighted / states_[i].overlap;
+    }
+    return result;
+  }
 
  private:
+  // Whether a centre at one of the points of the batch will probably lift this one to the threshold.
+  bool isCoveredBy(const std::vector<std::uint32_t>& batch, std::uint32_t point, float threshold) const {
+    const glm::vec3 p = points_.position(point);
+    const float missing = threshold - states_[point].overlap;
+    for (const std::uint32_t other : batch) {
+      const float support = states_[other].hint > 0 ? states_[other].hint : lastSupport_;
+      const glm::vec3 d = points_.position(other) - p;
+      const float squared = glm::dot(d, d);
+      if (squared < support * support && wendland(std::sqrt(squared) / support) >= missing) return true;
+    }
+    return false;
+  }
+
   void fitAndAccept(const std::vector<std::uint32_t>& batch, float threshold, const Progress& progress) {
     const auto count = std::ptrdiff_t(batch.size());
     candidates_.resize(std::max(candidates_.size(), batch.size()));
@@ -71,14 +119,14 @@ class Cover {
       for (std::ptrdiff_t i = task * kFitsPerTask; i < std::min(count, (task + 1) * kFitsPerTask); ++i) {
         progress.throwIfCancelled();
         const std::uint32_t point = batch[std::size_t(i)];
-        fitCandidate(points_, point, rule_, hint_[point], candidates_[std::size_t(i)]);
+        fitCandidate(points_, point, rule_, states_[point].hint, candidates_[std::size_t(i)]);
       }
     });
     std::size_t covered = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const Candidate& c = candidates_[i];
       covered += c.covered.size();
-      if (overlap_[c.centre.point] < threshold) accept(c);
+      if (states_[c.centre.point].overlap < threshold) accept(c);
     }
     // Small supports rarely overlap, so many can be fitted at once without waste. The size of a batch depends on
     // results only, never on the number of threads, and so does the outcome.
@@ -87,9 +135,12 @@ class Cover {
   }
 
   void accept(const Candidate& c) {
+    lastSupport_ = float(c.centre.sigma);
     for (std::size_t k = 0; k < c.covered.size(); ++k) {
-      overlap_[c.covered[k]] += c.phi[k];
-      hint_[c.covered[k]] = float(c.centre.sigma);
+      PointState& state = states_[c.covered[k]];
+      state.overlap += c.phi[k];
+      state.weighted += c.weighted[k];
+      state.hint = lastSupport_;
     }
     centres_.push_back({points_.position(c.centre.point), float(c.centre.sigma),
                         toGlobal(c.centre.fit.quadric, c.centre.frame), 0});
@@ -97,11 +148,11 @@ class Cover {
 
   const SortedPoints& points_;
   SupportRule rule_;
-  std::vector<float> overlap_;  // o_i
-  std::vector<float> hint_;     // support of the centre that last covered the point
+  std::vector<PointState> states_;
   std::vector<Centre> centres_;
   std::vector<Candidate> candidates_;
   std::size_t batchSize_ = kSmallestBatch;
+  float lastSupport_ = 0;
 };
 
 }  // namespace
@@ -113,8 +164,8 @@ SupportRule supportRule(const SortedPoints& points, const ReconstructionOptions&
           options.smoothness};
 }
 
-std::vector<Centre> selectCentres(const SortedPoints& points, const ReconstructionOptions& options,
-                                  const Progress& progress) {
+CentreSelection selectCentres(const SortedPoints& points, const ReconstructionOptions& options,
+                              const Progress& progress) {
   const std::vector<std::uint32_t> order = randomOrder(points.size());
   Cover cover(points, supportRule(points, options));
   for (int step = 1; step <= kThresholds; ++step) {

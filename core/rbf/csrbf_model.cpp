@@ -26,7 +26,7 @@ float indexCell(const std::vector<Centre>& centres) {
 
 }  // namespace
 
-CsrbfModel::CsrbfModel(std::vector<Centre> centres) {
+CsrbfModel::CsrbfModel(std::vector<Centre> centres, const FitReport& report) : report_(report) {
   const float cell = indexCell(centres);
   index_ = CentreIndex(std::move(centres), cell, 0);
 }
@@ -63,9 +63,14 @@ CsrbfModel fitCsrbf(const SurfacePoints& points, const ReconstructionOptions& op
                     const Progress& progress) {
   const double centresFrom = 0.3, centresTo = options.fitWeights ? 0.6 : 1;
   const SortedPoints sorted = sortPoints(points, options, progress.part(0, centresFrom));
-  std::vector<Centre> centres = selectCentres(sorted, options, progress.part(centresFrom, centresTo));
-  if (options.fitWeights) fitLambda(sorted, options.regularisation, centres, progress.part(centresTo, 1));
-  return CsrbfModel(std::move(centres));
+  CentreSelection selection = selectCentres(sorted, options, progress.part(centresFrom, centresTo));
+  FitReport report;
+  report.globalError = globalError(sorted, selection.base);
+  if (options.fitWeights)
+    report.globalErrorWithWeights =
+        globalError(sorted, fitLambda(sorted, options.regularisation, selection, FunctionForm::normalised,
+                                      progress.part(centresTo, 1)));
+  return CsrbfModel(std::move(selection.centres), report);
 }
 
 }  // namespace sonoskin

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -10,6 +10,15 @@
 
 namespace sonoskin {
 
+// FitReport: how well the function passes through the points.
+//   globalError              E_global = (1/L) sqrt(Σ d_k S(p_k)² / Σ d_k) with λ = 0, L the diagonal of the points' box
+//                                                                                              [thesis 3.22]
+//   globalErrorWithWeights   the same with the fitted weights λ; nothing where none were fitted
+struct FitReport {
+  double globalError = 0;
+  std::optional<double> globalErrorWithWeights;
+};
+
 // CsrbfModel: the implicit function of a surface; world mm.
 //   S(x) = Σ_c (g_c(x) + λ_c) φ_c(x) / Σ_c φ_c(x)          [Ohtake et al. 2006, normalised; thesis 3.9 is not]
 // S is close to the signed distance from the surface: > 0 outside (on the side of the normals), < 0 inside,
@@ -17,7 +26,7 @@ namespace sonoskin {
 class CsrbfModel {
  public:
   CsrbfModel() = default;
-  explicit CsrbfModel(std::vector<Centre> centres);
+  explicit CsrbfModel(std::vector<Centre> centres, const FitReport& report = {});
 
   // Sample: S in mm (NaN outside all supports) and the coverage Σφ, which says how well it is supported.
   struct Sample {
@@ -29,10 +38,12 @@ class CsrbfModel {
   glm::vec3 gradient(const glm::vec3& x) const;
 
   const std::vector<Centre>& centres() const { return index_.centres(); }
+  const FitReport& report() const { return report_; }
   std::size_t bytes() const { return index_.bytes(); }
 
  private:
   CentreIndex index_;
+  FitReport report_;
 };
 
 // fitCsrbf: an implicit function through oriented points.

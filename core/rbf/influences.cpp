@@ -1,20 +1,25 @@
 #include "core/rbf/influences.h"
 
 #include <limits>
+#include <span>
 
 #include "core/base/parallel.h"
+#include "core/rbf/lane_packer.h"
+#include "core/rbf/sorted_points.h"
 
 namespace sonoskin {
 namespace {
 
 constexpr std::ptrdiff_t kPointsPerTask = 1024;
 constexpr float kSmallestInfluence = 1e-4f;
+constexpr double kFirstRadius = 2.2;  // spacings
 
 // The K smallest values seen, in ascending order.
 class SmallestValues {
  public:
   explicit SmallestValues(std::size_t count) : values_(count) {}
   void clear() { std::fill(values_.begin(), values_.end(), std::numeric_limits<float>::infinity()); }
+  std::size_t size() const { return values_.size(); }
   float largest() const { return values_.back(); }
   void add(float value) {
     std::size_t i = values_.size() - 1;
@@ -31,40 +36,71 @@ class SmallestValues {
   std::vector<float> values_;
 };
 
-// Squared distances from sorted point `self` to its K nearest others.
-void findNearest(const std::vector<glm::vec3>& positions, std::size_t self, const PointGrid& grid,
-                 float radius, SmallestValues& nearest) {
-  const glm::vec3 p = positions[self];
-  for (;; radius *= 1.5f) {
-    nearest.clear();
-    grid.forEachRun(p, radius, [&](std::size_t first, std::size_t last) {
-      for (std::size_t j = first; j < last; ++j) {
-        const glm::vec3 d = positions[j] - p;
-        const float squared = glm::dot(d, d);
-        if (squared < nearest.largest() && j != self) nearest.add(squared);
-      }
+// Squared distances from one sorted point to the others around it.
+class Distances {
+ public:
+  void find(const SortedPoints& points, std::size_t self, float radius) {
+    count_ = 0;
+    points.grid.forEachRun(points.position(self), radius, [&](std::size_t first, std::size_t last) {
+      squared_.resize(std::max(squared_.size(), count_ + last - first + LanePacker::kLanes));
+      // Two runs around the point itself, which is not its own neighbour.
+      if (self < first || self >= last) return addRun(points, self, first, last, radius * radius);
+      addRun(points, self, first, self, radius * radius);
+      addRun(points, self, self + 1, last, radius * radius);
     });
-    if (nearest.largest() <= radius * radius) return;
+  }
+  std::span<const float> values() const { return {squared_.data(), count_}; }
+
+ private:
+  void addRun(const SortedPoints& points, std::size_t self, std::size_t first, std::size_t last,
+              float limit) {
+    for (std::size_t i = first; i < last; i += LanePacker::kLanes) {
+      const __m256i valid = LanePacker::firstLanes(last - i);
+      const __m256 x = _mm256_maskload_ps(points.x.data() + i, valid) - points.x[self];
+      const __m256 y = _mm256_maskload_ps(points.y.data() + i, valid) - points.y[self];
+      const __m256 z = _mm256_maskload_ps(points.z.data() + i, valid) - points.z[self];
+      const __m256 squared = x * x + y * y + z * z;
+      const __m256 isNear = _mm256_cmp_ps(squared, _mm256_set1_ps(limit), _CMP_LE_OQ);
+      const LanePacker packer(
+          unsigned(_mm256_movemask_ps(_mm256_and_ps(isNear, _mm256_castsi256_ps(valid)))));
+      packer.pack(squared, &squared_[count_]);
+      count_ += packer.count();
+    }
+  }
+
+  std::vector<float> squared_;
+  std::size_t count_ = 0;
+};
+
+// Sum of the K smallest squared distances from a sorted point to others.
+float sumOfNearest(const SortedPoints& points, std::size_t self, Distances& distances,
+                   SmallestValues& nearest) {
+  for (auto radius = float(kFirstRadius * points.spacing);; radius *= 1.5f) {
+    distances.find(points, self, radius);
+    if (distances.values().size() < nearest.size()) continue;
+    nearest.clear();
+    for (const float squared : distances.values())
+      if (squared < nearest.largest()) nearest.add(squared);
+    return nearest.sum();
   }
 }
 
 }  // namespace
 
-std::vector<float> influences(const std::vector<glm::vec3>& positions, const std::vector<float>& confidence,
-                              const PointGrid& grid, double spacing, int neighbours,
-                              const Progress& progress) {
-  const auto count = std::ptrdiff_t(positions.size());
+std::vector<float> influences(const SortedPoints& points, const std::vector<float>& confidence,
+                              int neighbours, const Progress& progress) {
+  const auto count = std::ptrdiff_t(points.size());
   const auto k = std::size_t(std::min<std::ptrdiff_t>(neighbours, count - 1));
-  const auto scale = float(1 / (spacing * spacing));
-  std::vector<float> result(positions.size());
+  const auto scale = float(1 / (points.spacing * points.spacing));
+  std::vector<float> result(points.size());
   parallelFor((count + kPointsPerTask - 1) / kPointsPerTask,
               [&](std::ptrdiff_t task) {
                 SmallestValues nearest(k);
+                Distances distances;
                 const auto last = std::size_t(std::min(count, (task + 1) * kPointsPerTask));
-                for (auto i = std::size_t(task * kPointsPerTask); i < last; ++i) {
-                  findNearest(positions, i, grid, float(2.2 * spacing), nearest);
-                  result[i] = confidence[i] * std::max(kSmallestInfluence, nearest.sum() * scale);
-                }
+                for (auto i = std::size_t(task * kPointsPerTask); i < last; ++i)
+                  result[i] = confidence[i] * std::max(kSmallestInfluence,
+                                                       sumOfNearest(points, i, distances, nearest) * scale);
               },
               progress);
   return result;

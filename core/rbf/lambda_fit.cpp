@@ -5,111 +5,67 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
-#include "core/rbf/basis.h"
+#include "core/rbf/coverage.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr std::ptrdiff_t kRowsPerTask = 16;
+constexpr std::size_t kSmallestTask = 16, kMostTasks = 256;  // rows; every task zeroes an array as long as λ
+constexpr std::size_t kPointsPerTask = 4096;
 constexpr int kMaxIterations = 1000;
 constexpr double kTolerance = 1e-4;
 
-// One entry of the sparse matrix ph_i(p_k): by centre `other` is a point, by point it is a centre.
-struct Entry {
-  std::uint32_t other;
-  float ph;
+std::ptrdiff_t taskCount(std::size_t items, std::size_t perTask) {
+  return std::ptrdiff_t((items + perTask - 1) / perTask);
+}
+
+// ph_i(p_k) by centre and by point.
+struct Shares {
+  CoverageRows byCentre, byPoint;
 };
 
-struct SparseRows {
-  std::vector<std::size_t> start;
-  std::vector<Entry> entries;
-
-  const Entry* begin(std::size_t row) const { return entries.data() + start[row]; }
-  const Entry* end(std::size_t row) const { return entries.data() + start[row + 1]; }
-};
-
-// φ_i(p_k) by centre, from radius queries.
-SparseRows coverageByCentre(const SortedPoints& points, const std::vector<Centre>& centres,
-                            const Progress& progress) {
-  std::vector<std::vector<Entry>> rows(centres.size());
-  parallelFor(
-      std::ptrdiff_t(centres.size()),
-      [&](std::ptrdiff_t i) {
-        const Centre& c = centres[std::size_t(i)];
-        points.grid.forEachRun(c.position, c.support, [&](std::size_t first, std::size_t last) {
-          for (std::size_t k = first; k < last; ++k) {
-            const float phi = wendland(glm::distance(points.position(k), c.position) / c.support);
-            if (phi > 0) rows[std::size_t(i)].push_back({std::uint32_t(k), phi});
-          }
-        });
-      },
-      progress);
-  SparseRows result;
-  result.start.push_back(0);
-  for (const auto& row : rows) {
-    result.entries.insert(result.entries.end(), row.begin(), row.end());
-    result.start.push_back(result.entries.size());
-  }
-  return result;
+Shares findShares(const SortedPoints& points, const CentreSelection& selection, FunctionForm form,
+                  const Progress& progress) {
+  Shares shares;
+  shares.byCentre = coverageByCentre(points, selection.centres, progress.part(0, 0.5));
+  if (form == FunctionForm::normalised)
+    parallelFor(taskCount(selection.centres.size(), kSmallestTask), [&](std::ptrdiff_t task) {
+      const std::size_t first = std::size_t(task) * kSmallestTask;
+      const std::size_t last = std::min(selection.centres.size(), first + kSmallestTask);
+      for (CoverageEntry* e = shares.byCentre.begin(first); e < shares.byCentre.begin(last); ++e)
+        e->phi /= selection.overlap[e->other];
+    });
+  shares.byPoint = coverageByPoint(shares.byCentre, points.size(), progress.part(0.5, 1));
+  return shares;
 }
 
-SparseRows transpose(const SparseRows& rows, std::size_t columns) {
-  SparseRows result;
-  result.start.assign(columns + 1, 0);
-  for (const Entry& e : rows.entries) ++result.start[e.other + 1];
-  for (std::size_t c = 0; c < columns; ++c) result.start[c + 1] += result.start[c];
-  std::vector<std::size_t> next(result.start.begin(), result.start.end() - 1);
-  result.entries.resize(rows.entries.size());
-  for (std::size_t r = 0; r + 1 < rows.start.size(); ++r)
-    for (const Entry* e = rows.begin(r); e < rows.end(r); ++e)
-      result.entries[next[e->other]++] = {std::uint32_t(r), e->ph};
-  return result;
-}
+double sumOf(const std::vector<float>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-// The function with λ = 0 at a point, given the normalised ph of the centres there.
-float baseValue(const glm::vec3& p, const Entry* first, const Entry* last,
-                const std::vector<Centre>& centres) {
-  float sum = 0;
-  for (const Entry* e = first; e < last; ++e) {
-    const glm::vec3 d = p - centres[e->other].position;
-    sum += e->ph * centres[e->other].quadric.value(d.x, d.y, d.z);
-  }
-  return sum;
-}
-
+// The upper half of one row of A, and its b.
 struct Row {
   std::vector<std::pair<std::uint32_t, double>> entries;
   double b = 0;
 };
 
 // The sums over points that A and b consist of.
-class RowAssembler {
- public:
-  RowAssembler(const SortedPoints& points, const std::vector<Centre>& centres, const Progress& progress)
-      : points_(points), byCentre_(coverageByCentre(points, centres, progress)), base_(points.size()) {
-    byPoint_ = transpose(byCentre_, points.size());
-    coverage_.resize(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      float sum = 0;
-      for (const Entry* e = byPoint_.begin(k); e < byPoint_.end(k); ++e) sum += e->ph;
-      for (std::size_t i = byPoint_.start[k]; i < byPoint_.start[k + 1]; ++i) byPoint_.entries[i].ph /= sum;
-      coverage_[k] = sum;
-      base_[k] = baseValue(points.position(k), byPoint_.begin(k), byPoint_.end(k), centres);
-    }
-    const double total = std::accumulate(points.influence.begin(), points.influence.end(), 0.0);
-    scale_ = 1 / (points.diagonal * points.diagonal * total);
-  }
+struct RowAssembler {
+  const SortedPoints& points;
+  const Shares& shares;
+  const std::vector<float>& base;  // S_0
+  double scale = 0;                // 1/(L² Σ d)
 
   // `dense` holds one zero per centre and is left so.
   Row row(std::size_t i, std::vector<double>& dense) const {
     Row result;
-    for (const Entry* e = byCentre_.begin(i); e < byCentre_.end(i); ++e) {
+    for (const CoverageEntry* e = shares.byCentre.begin(i); e < shares.byCentre.end(i); ++e) {
       const std::size_t k = e->other;
-      const double weight = scale_ * double(points_.influence[k]) * double(e->ph / coverage_[k]);
-      result.b -= weight * double(base_[k]);
-      for (const Entry* other = byPoint_.begin(k); other < byPoint_.end(k); ++other) {
-        if (dense[other->other] == 0) result.entries.emplace_back(other->other, 0.0);
-        dense[other->other] += weight * double(other->ph);
+      const double weight = scale * double(points.influence[k]) * double(e->phi);
+      result.b -= weight * double(base[k]);
+      // Columns from the diagonal on; the others are their mirror image.
+      const CoverageEntry* first = shares.byPoint.begin(k);
+      for (const CoverageEntry* c = shares.byPoint.end(k); c-- > first && c->other >= i;) {
+        if (dense[c->other] == 0) result.entries.emplace_back(c->other, 0.0);
+        dense[c->other] += weight * double(c->phi);
       }
     }
     std::sort(result.entries.begin(), result.entries.end());
@@ -119,13 +75,52 @@ class RowAssembler {
     }
     return result;
   }
-
- private:
-  const SortedPoints& points_;
-  SparseRows byCentre_, byPoint_;  // φ and normalised ph
-  std::vector<float> coverage_, base_;
-  double scale_ = 0;
 };
+
+LambdaSystem mirror(const std::vector<Row>& rows) {
+  LambdaSystem system;
+  system.rowStart.assign(rows.size() + 1, 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    system.b.push_back(rows[i].b);
+    for (const auto& [column, value] : rows[i].entries) {
+      ++system.rowStart[i + 1];
+      if (column != i) ++system.rowStart[column + 1];
+    }
+  }
+  std::partial_sum(system.rowStart.begin(), system.rowStart.end(), system.rowStart.begin());
+  system.column.resize(system.rowStart.back());
+  system.value.resize(system.rowStart.back());
+  std::vector<std::size_t> next(system.rowStart.begin(), system.rowStart.end() - 1);
+  const auto add = [&](std::size_t row, std::size_t column, double value) {
+    system.column[next[row]] = std::uint32_t(column);
+    system.value[next[row]++] = value;
+  };
+  // Rows come in ascending order, so that a row's mirrored columns, which lie below its diagonal, come first.
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [column, value] : rows[i].entries) {
+      add(i, column, value);
+      if (column != i) add(column, i, value);
+    }
+  return system;
+}
+
+LambdaSystem assemble(const SortedPoints& points, const Shares& shares, const std::vector<float>& base,
+                      const Progress& progress) {
+  const double scale = 1 / (points.diagonal * points.diagonal * sumOf(points.influence));
+  const RowAssembler assembler{points, shares, base, scale};
+  std::vector<Row> rows(shares.byCentre.rows());
+  const std::size_t perTask = std::max(kSmallestTask, rows.size() / kMostTasks);
+  parallelFor(
+      taskCount(rows.size(), perTask),
+      [&](std::ptrdiff_t task) {
+        std::vector<double> dense(rows.size(), 0);
+        const std::size_t first = std::size_t(task) * perTask;
+        for (std::size_t i = first; i < std::min(rows.size(), first + perTask); ++i)
+          rows[i] = assembler.row(i, dense);
+      },
+      progress);
+  return mirror(rows);
+}
 
 std::vector<double> multiply(const LambdaSystem& A, const std::vector<double>& diagonal,
                              const std::vector<double>& x) {
@@ -148,30 +143,10 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-LambdaSystem assembleLambdaSystem(const SortedPoints& points, const std::vector<Centre>& centres,
-                                  const Progress& progress) {
-  const RowAssembler assembler(points, centres, progress.part(0, 0.3));
-  std::vector<Row> rows(centres.size());
-  const auto count = std::ptrdiff_t(centres.size());
-  parallelFor((count + kRowsPerTask - 1) / kRowsPerTask,
-              [&](std::ptrdiff_t task) {
-                std::vector<double> dense(centres.size(), 0);
-                for (auto i = std::size_t(task * kRowsPerTask);
-                     i < std::size_t(std::min(count, (task + 1) * kRowsPerTask)); ++i)
-                  rows[i] = assembler.row(i, dense);
-              },
-              progress.part(0.3, 1));
-  LambdaSystem system;
-  system.rowStart.push_back(0);
-  for (const Row& row : rows) {
-    for (const auto& [column, value] : row.entries) {
-      system.column.push_back(column);
-      system.value.push_back(value);
-    }
-    system.rowStart.push_back(system.column.size());
-    system.b.push_back(row.b);
-  }
-  return system;
+LambdaSystem assembleLambdaSystem(const SortedPoints& points, const CentreSelection& selection,
+                                  FunctionForm form, const Progress& progress) {
+  const Shares shares = findShares(points, selection, form, progress.part(0, 0.4));
+  return assemble(points, shares, valuesAtPoints(selection, form), progress.part(0.4, 1));
 }
 
 std::vector<double> solveLambda(const LambdaSystem& system, const std::vector<Centre>& centres,
@@ -205,11 +180,35 @@ std::vector<double> solveLambda(const LambdaSystem& system, const std::vector<Ce
   return x;
 }
 
-void fitLambda(const SortedPoints& points, double regularisation, std::vector<Centre>& centres,
-               const Progress& progress) {
-  const LambdaSystem system = assembleLambdaSystem(points, centres, progress.part(0, 0.7));
-  const std::vector<double> lambda = solveLambda(system, centres, regularisation, progress.part(0.7, 1));
-  for (std::size_t i = 0; i < centres.size(); ++i) centres[i].lambda = float(lambda[i]);
+std::vector<float> fitLambda(const SortedPoints& points, double regularisation, CentreSelection& selection,
+                             FunctionForm form, const Progress& progress) {
+  const Shares shares = findShares(points, selection, form, progress.part(0, 0.4));
+  std::vector<float> values = valuesAtPoints(selection, form);
+  const LambdaSystem system = assemble(points, shares, values, progress.part(0.4, 0.8));
+  const std::vector<double> lambda =
+      solveLambda(system, selection.centres, regularisation, progress.part(0.8, 1));
+  for (std::size_t i = 0; i < lambda.size(); ++i) selection.centres[i].lambda = float(lambda[i]);
+  parallelFor(taskCount(values.size(), kPointsPerTask), [&](std::ptrdiff_t task) {
+    const std::size_t first = std::size_t(task) * kPointsPerTask;
+    for (std::size_t k = first; k < std::min(values.size(), first + kPointsPerTask); ++k)
+      for (const CoverageEntry* e = shares.byPoint.begin(k); e < shares.byPoint.end(k); ++e)
+        values[k] += e->phi * selection.centres[e->other].lambda;
+  });
+  return values;
+}
+
+double globalError(const SortedPoints& points, const std::vector<float>& values) {
+  double sum = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sum += double(points.influence[k]) * double(values[k]) * double(values[k]);
+  return std::sqrt(sum / sumOf(points.influence)) / points.diagonal;
+}
+
+std::vector<float> valuesAtPoints(const CentreSelection& selection, FunctionForm form) {
+  std::vector<float> values = selection.base;
+  if (form == FunctionForm::plain)
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] *= selection.overlap[k];
+  return values;
 }
 
 }  // namespace sonoskin

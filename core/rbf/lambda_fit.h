@@ -3,18 +3,21 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/rbf/centre_index.h"
-#include "core/rbf/sorted_points.h"
+#include "core/rbf/centres.h"
 
 namespace sonoskin {
+
+// FunctionForm: S = Σ (g_c + λ_c) φ_c, divided by Σ φ_c (normalised) or not (plain, as in the thesis). Both have the
+// same zero set for the same λ, but the systems that λ solves differ.
+enum class FunctionForm { normalised, plain };
 
 // LambdaSystem: the normal equations of the weights λ, without their regulariser; sparse rows, columns
 // ascending.
 //   A_ij = Σ_k d_k ph_i(p_k) ph_j(p_k) / (L² Σ d)                                               [thesis 3.26]
 //   b_i  = -Σ_k d_k ph_i(p_k) S_0(p_k) / (L² Σ d),  S_0: the function with λ = 0                [thesis 3.27]
-//   ph_i = φ_i / Σ_c φ_c: the normalised form, as in S
+//   ph_i = φ_i / Σ_c φ_c in the normalised form, φ_i in the plain one
 struct LambdaSystem {
-  std::vector<std::size_t> rowStart;
+  std::vector<std::size_t> rowStart{0};
   std::vector<std::uint32_t> column;
   std::vector<double> value;
   std::vector<double> b;
@@ -23,9 +26,10 @@ struct LambdaSystem {
 };
 
 // assembleLambdaSystem: A and b for every centre.
-//   cost      every point lies in 14 to 16 supports: O(15² N); 113k points: 0.1 s on one core
+//   cost      every point lies in 14 to 16 supports: O(15²/2 N); 113k points: 0.1 s on one core
 //   errors    Cancelled
-LambdaSystem assembleLambdaSystem(const SortedPoints& points, const std::vector<Centre>& centres,
+LambdaSystem assembleLambdaSystem(const SortedPoints& points, const CentreSelection& selection,
+                                  FunctionForm form = FunctionForm::normalised,
                                   const Progress& progress = {});
 
 // solveLambda: λ of (A + T_reg Dg) λ = b with Dg_ii = 1/(M σ_i²).                         [thesis 3.23 to 3.25]
@@ -37,8 +41,16 @@ std::vector<double> solveLambda(const LambdaSystem& system, const std::vector<Ce
 
 // fitLambda: sets the weights λ of the centres so that S is smallest at the points. Lowers the residual by
 // following the noise: worth it on clean points only.
+//   output   S(p_k) with the weights, mm, at the sorted points
 //   errors   Cancelled
-void fitLambda(const SortedPoints& points, double regularisation, std::vector<Centre>& centres,
-               const Progress& progress = {});
+std::vector<float> fitLambda(const SortedPoints& points, double regularisation, CentreSelection& selection,
+                             FunctionForm form = FunctionForm::normalised, const Progress& progress = {});
+
+// globalError: E_global = (1/L) sqrt(Σ_k d_k S(p_k)² / Σ_k d_k)                                   [thesis 3.22]
+//   values   S at the sorted points, mm
+double globalError(const SortedPoints& points, const std::vector<float>& values);
+
+// valuesAtPoints: S_0 at the sorted points in that form, mm.
+std::vector<float> valuesAtPoints(const CentreSelection& selection, FunctionForm form);
 
 }  // namespace sonoskin

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/rbf/basis.h"
+#include "core/rbf/lane_packer.h"
 
 namespace sonoskin {
 namespace {
@@ -26,42 +27,40 @@ void Neighbourhood::reserve(std::size_t count) {
 }
 
 void Neighbourhood::gather(const SortedPoints& points, std::size_t centre, float radius) {
-  const glm::vec3 c = points.position(centre);
+  centre_ = points.position(centre);
   ownNormal_ = {points.nx[centre], points.ny[centre], points.nz[centre]};
-  const float limit = radius * radius;
-  const float *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
-  std::size_t n = 0;
-  points.grid.forEachRun(c, radius, [&](std::size_t first, std::size_t last) {
-    reserve(n + last - first);
-    std::uint32_t* index = index_.data();
-    float* squared = squared_.data();
-    for (std::size_t i = first; i < last;
-         ++i) {  // every point is written, only near ones are kept: no branch
-      const float dx = x[i] - c.x, dy = y[i] - c.y, dz = z[i] - c.z;
-      squared[n] = dx * dx + dy * dy + dz * dz;
-      index[n] = std::uint32_t(i);
-      n += squared[n] < limit;
-    }
+  count_ = 0;
+  points.grid.forEachRun(centre_, radius, [&](std::size_t first, std::size_t last) {
+    reserve(count_ + last - first + LanePacker::kLanes);
+    gatherRun(points, first, last, radius * radius);
   });
-  count_ = n;
-  copyAttributes(points, c);
 }
 
-void Neighbourhood::copyAttributes(const SortedPoints& points, const glm::vec3& centre) {
-  const std::uint32_t* index = index_.data();
-  const auto copy = [&](const std::vector<float>& from, float subtract, std::vector<float>& to) {
-    const float* in = from.data();
-    float* out = to.data();
-#pragma omp simd
-    for (std::size_t j = 0; j < count_; ++j) out[j] = in[index[j]] - subtract;
-  };
-  copy(points.x, centre.x, dx_);
-  copy(points.y, centre.y, dy_);
-  copy(points.z, centre.z, dz_);
-  copy(points.nx, 0, nx_);
-  copy(points.ny, 0, ny_);
-  copy(points.nz, 0, nz_);
-  copy(points.influence, 0, d_);
+void Neighbourhood::gatherRun(const SortedPoints& points, std::size_t first, std::size_t last, float limit) {
+  const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  for (std::size_t i = first; i < last; i += LanePacker::kLanes) {
+    const __m256i valid = LanePacker::firstLanes(last - i);
+    const auto load = [&](const std::vector<float>& from) {
+      return _mm256_maskload_ps(from.data() + i, valid);
+    };
+    const __m256 x = load(points.x) - centre_.x, y = load(points.y) - centre_.y,
+                 z = load(points.z) - centre_.z;
+    const __m256 squared = x * x + y * y + z * z;
+    const __m256 isNear = _mm256_cmp_ps(squared, _mm256_set1_ps(limit), _CMP_LT_OQ);
+    const auto chosen = unsigned(_mm256_movemask_ps(_mm256_and_ps(isNear, _mm256_castsi256_ps(valid))));
+    if (chosen == 0) continue;
+    const LanePacker packer(chosen);
+    packer.pack(x, &dx_[count_]);
+    packer.pack(y, &dy_[count_]);
+    packer.pack(z, &dz_[count_]);
+    packer.pack(squared, &squared_[count_]);
+    packer.pack(load(points.nx), &nx_[count_]);
+    packer.pack(load(points.ny), &ny_[count_]);
+    packer.pack(load(points.nz), &nz_[count_]);
+    packer.pack(load(points.influence), &d_[count_]);
+    packer.pack(_mm256_add_epi32(_mm256_set1_epi32(int(i)), lane), &index_[count_]);
+    count_ += packer.count();
+  }
 }
 
 glm::vec3 Neighbourhood::meanNormal(float sigma) const {
@@ -112,6 +111,28 @@ LocalSamples Neighbourhood::within(float sigma) const {
   const float ratio = sigma / smallest_;
   const std::size_t level = std::min<std::size_t>(levelOf(ratio * ratio * kBelow), kLevels - 1);
   return {u_.data(), v_.data(), w_.data(), r_.data(), levelD_.data(), levelEnd_[level + 1]};
+}
+
+void Neighbourhood::select(const Frame& frame, float sigma) {
+  const auto along = [](const glm::vec3& axis, __m256 x, __m256 y, __m256 z) {
+    return x * axis.x + y * axis.y + z * axis.z;
+  };
+  std::size_t n = 0;
+  for (std::size_t j = 0; j < count_; j += LanePacker::kLanes) {
+    const __m256 squared = _mm256_loadu_ps(&squared_[j]);
+    const __m256 isNear = _mm256_cmp_ps(squared, _mm256_set1_ps(sigma * sigma), _CMP_LT_OQ);
+    const __m256 valid = _mm256_castsi256_ps(LanePacker::firstLanes(count_ - j));
+    const LanePacker packer(unsigned(_mm256_movemask_ps(_mm256_and_ps(isNear, valid))));
+    const __m256 x = _mm256_loadu_ps(&dx_[j]), y = _mm256_loadu_ps(&dy_[j]), z = _mm256_loadu_ps(&dz_[j]);
+    packer.pack(along(frame.u, x, y, z), &u_[n]);
+    packer.pack(along(frame.v, x, y, z), &v_[n]);
+    packer.pack(along(frame.normal, x, y, z), &w_[n]);
+    packer.pack(_mm256_sqrt_ps(squared), &r_[n]);
+    packer.pack(_mm256_loadu_ps(&d_[j]), &levelD_[n]);
+    packer.pack(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(&index_[j])), &level_[n]);
+    n += packer.count();
+  }
+  selectedCount_ = n;
 }
 
 std::size_t Neighbourhood::countWithin(float sigma) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/rbf/local_quadric.h"
 #include "core/rbf/sorted_points.h"
 
@@ -30,26 +32,30 @@ class Neighbourhood {
   // countWithin: how many points are closer than sigma.
   std::size_t countWithin(float sigma) const;
 
-  // forEachWithin: calls f(sorted point, distance) for the points closer than sigma.
-  template <class F>
-  void forEachWithin(float sigma, F&& f) const {
-    for (std::size_t j = 0; j < count_; ++j)
-      if (squared_[j] < sigma * sigma) f(index_[j], std::sqrt(squared_[j]));
+  // select: the points closer than sigma in the frame, in ascending order of sorted points; undoes project().
+  void select(const Frame& frame, float sigma);
+
+  // selection: what select() took, and the sorted points that they are.
+  LocalSamples selection() const {
+    return {u_.data(), v_.data(), w_.data(), r_.data(), levelD_.data(), selectedCount_};
   }
+  std::span<const std::uint32_t> selected() const { return {level_.data(), selectedCount_}; }
 
  private:
   static constexpr std::size_t kLevels = 48;
 
   void reserve(std::size_t count);
-  void copyAttributes(const SortedPoints& points, const glm::vec3& centre);
+  void gatherRun(const SortedPoints& points, std::size_t first, std::size_t last, float limit);
 
-  std::size_t count_ = 0;
+  glm::vec3 centre_{0};
+  std::size_t count_ = 0, selectedCount_ = 0;
   glm::vec3 ownNormal_{0, 0, 1};
-  std::vector<std::uint32_t> index_;                 // sorted point
-  std::vector<float> dx_, dy_, dz_, squared_;        // relative to the centre, and squared distance
-  std::vector<float> nx_, ny_, nz_, d_;              // normal and influence
-  std::vector<float> u_, v_, w_, r_, levelD_;        // in the frame, by level
-  std::vector<std::uint32_t> level_;                 // k: smallest 2^((k-1)/2) <= r < smallest 2^(k/2)
+  std::vector<std::uint32_t> index_;           // sorted point
+  std::vector<float> dx_, dy_, dz_, squared_;  // relative to the centre, and squared distance
+  std::vector<float> nx_, ny_, nz_, d_;        // normal and influence
+  std::vector<float> u_, v_, w_, r_, levelD_;  // in the frame, by level
+  std::vector<std::uint32_t>
+      level_;  // k: smallest 2^((k-1)/2) <= r < smallest 2^(k/2); or the selected points
   std::array<std::size_t, kLevels + 1> levelEnd_{};  // points of levels up to k
   float smallest_ = 1;
 };

@@ -73,14 +73,11 @@ SortedPoints sortPoints(const SurfacePoints& points, const ReconstructionOptions
   copySorted(points, sorted);
   progress.update(0.2);
 
-  std::vector<glm::vec3> positions(points.size());
-  std::vector<float> confidence(points.size());
-  for (std::size_t s = 0; s < points.size(); ++s) {
-    positions[s] = sorted.position(s);
-    confidence[s] = points.confidence[sorted.grid.order()[s]];
-  }
-  sorted.influence = influences(positions, confidence, sorted.grid, sorted.spacing, options.neighbours,
-                                progress.part(0.2, 1));
+  // Without confidence every point counts the same.
+  std::vector<float> confidence(points.size(), 1.f);
+  if (options.confidence)
+    for (std::size_t s = 0; s < points.size(); ++s) confidence[s] = points.confidence[sorted.grid.order()[s]];
+  sorted.influence = influences(sorted, confidence, options.neighbours, progress.part(0.2, 1));
   return sorted;
 }
 

@@ -102,8 +102,8 @@ FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const Sup
     *sigma = std::min(kPointStep * *sigma, radius);
 
   FittedCentre result{std::uint32_t(centre), *sigma, frameAround(scratch.meanNormal(float(*sigma))), {}};
-  scratch.project(result.frame, float(rule.smallest));
-  result.fit = fitQuadric(scratch.within(float(*sigma)), *sigma);
+  scratch.select(result.frame, float(*sigma));
+  result.fit = fitQuadric(scratch.selection(), *sigma);
   return result;
 }
 

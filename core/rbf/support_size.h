@@ -42,7 +42,7 @@ struct FittedCentre {
 
 // fitCentre: the support at point `centre` that balances detail and noise, and its quadric.
 //   hint      support of a centre that covers the point, or 0; it saves time only
-//   scratch   left with the points around the centre (forEachWithin gives the support's)
+//   scratch   left with the points in the support selected
 //   cost      6 to 10 fits; 50 to 200 us
 FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const SupportRule& rule, double hint,
                        Neighbourhood& scratch);

@@ -1,78 +1,23 @@
-// The steps from points to a mesh and the measuring of meshes, each beside the plain way to do the same.
+// The steps from the fitted function to a mesh and the measuring of meshes, each beside the plain way to do the same.
 #include <benchmark/benchmark.h>
-
-#include <nanoflann.hpp>
 
 #include "core/base/parallel.h"
 #include "core/mesh/components.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/mesh/mesh_distance.h"
-#include "core/pipeline/pipeline.h"
 #include "core/rbf/csrbf_model.h"
 #include "core/rbf/iso_surface.h"
-#include "tests/benchmarks/phantom_input.h"
+#include "tests/benchmarks/point_input.h"
 
 namespace sonoskin {
 namespace {
 
-// The points of the simulated scan with default parameters.
-const SurfacePoints& points() {
-  static const Results results = [] {
-    Pipeline pipeline;
-    return pipeline.run(phantomInput(), Parameters{}, Goal::points);
-  }();
-  return *results.points;
-}
+const SurfacePoints& points() { return scanPoints(); }
 
 const CsrbfModel& model() {
   static const CsrbfModel fitted = fitCsrbf(points(), ReconstructionOptions{});
   return fitted;
 }
-
-void fit(benchmark::State& state) {
-  ReconstructionOptions options;
-  options.fitWeights = state.range(0) != 0;
-  points();  // made before the clock starts
-  std::size_t centres = 0;
-  for (auto _ : state) centres = fitCsrbf(points(), options).centres().size();
-  state.counters["points"] = double(points().size());
-  state.counters["centres"] = double(centres);
-}
-BENCHMARK(fit)
-    ->ArgName("weights")
-    ->Arg(0)
-    ->Arg(1)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-
-// A floor for the fit: the ten nearest neighbours of every point, as nanoflann finds them on one thread.
-struct PointCloud {
-  const std::vector<glm::vec3>& positions;
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  float kdtree_get_pt(std::size_t point, std::size_t axis) const { return positions[point][int(axis)]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-void neighboursByNanoflann(benchmark::State& state) {
-  using Tree =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointCloud>, PointCloud, 3>;
-  const PointCloud cloud{points().positions};
-  for (auto _ : state) {
-    const Tree tree(3, cloud);
-    std::uint32_t index[11];
-    float squared[11], sum = 0;
-    for (const glm::vec3& p : cloud.positions) {
-      tree.knnSearch(&p[0], 11, index, squared);
-      sum += squared[10];
-    }
-    benchmark::DoNotOptimize(sum);
-  }
-}
-BENCHMARK(neighboursByNanoflann)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void surfaceOnBricks(benchmark::State& state) {
   MeshOptions options;

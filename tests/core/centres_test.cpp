@@ -31,7 +31,8 @@ std::size_t countGreedyCentres(const SortedPoints& points, const ReconstructionO
     if (*least >= float(options.overlap)) return count;
     const FittedCentre c = fitCentre(points, std::size_t(least - overlap.begin()), rule, 0, scratch);
     const auto sigma = float(c.sigma);
-    scratch.forEachWithin(sigma, [&](std::uint32_t i, float d) { overlap[i] += wendland(d / sigma); });
+    for (std::size_t j = 0; j < scratch.selected().size(); ++j)
+      overlap[scratch.selected()[j]] += wendland(scratch.selection().r[j] / sigma);
   }
 }
 
@@ -41,11 +42,24 @@ TEST(Centres, CoverEveryPoint) {
     ReconstructionOptions options;
     options.overlap = overlap;
     options.smoothness = 2e-4;
-    const std::vector<Centre> centres = selectCentres(points, options);
-    double least = 1e9;
-    for (const double o : overlaps(points, centres)) least = std::min(least, o);
-    EXPECT_GE(least, overlap - 1e-4);
+    const CentreSelection selection = selectCentres(points, options);
+    const std::vector<double> expected = overlaps(points, selection.centres);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_GE(expected[i], overlap - 1e-4);
+      EXPECT_NEAR(double(selection.overlap[i]), expected[i], 1e-4 * expected[i]);
+    }
   }
+}
+
+// What the selection says of the function at the points is what the function is there.
+TEST(Centres, KnowTheFunctionAtThePoints) {
+  ReconstructionOptions options;
+  options.smoothness = 2e-4;
+  const SortedPoints points = sortPoints(spherePoints(3000, 15, 0.3), options);
+  const CentreSelection selection = selectCentres(points, options);
+  const CsrbfModel model(selection.centres);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_NEAR(selection.base[i], model.sample(points.position(i)).value, 1e-4f);
 }
 
 // On surfaces a point lies in 14 to 16 supports, so M is about 14 N / n.
@@ -54,7 +68,7 @@ TEST(Centres, LieAsDenselyAsTheoryPredicts) {
   options.smoothness = 2e-4;
   const SortedPoints points = sortPoints(spherePoints(10000, 28, 0.3), options);
   double incidences = 0;
-  for (const Centre& c : selectCentres(points, options))
+  for (const Centre& c : selectCentres(points, options).centres)
     for (std::size_t i = 0; i < points.size(); ++i)
       incidences += glm::distance(points.position(i), c.position) < c.support;
   EXPECT_GT(incidences / double(points.size()), 13);
@@ -66,7 +80,7 @@ TEST(Centres, BatchesComeCloseToTheGreedyChoice) {
   options.smoothness = 1.2e-4;
   const SortedPoints points = sortPoints(spherePoints(8000, 25, 0.2), options);
   const double greedy = double(countGreedyCentres(points, options));
-  const double batched = double(selectCentres(points, options).size());
+  const double batched = double(selectCentres(points, options).centres.size());
   EXPECT_GT(greedy, 150);
   EXPECT_NEAR(batched / greedy, 1, 0.06);
 }
@@ -76,7 +90,7 @@ TEST(Centres, ANoisyPlaneShowsTheCliff) {
   const auto countAt = [](const SortedPoints& points, double ratio) {
     ReconstructionOptions options;
     options.smoothness = ratio * 1.905 * 0.3 / (points.diagonal * points.diagonal);
-    return double(selectCentres(points, options).size());
+    return double(selectCentres(points, options).centres.size());
   };
   const SortedPoints points = sortPoints(planePoints(300, 0.3), {});
   EXPECT_NEAR(countAt(points, 1.5) / 2972, 1, 0.1);
@@ -89,9 +103,9 @@ TEST(Centres, ANoisyPlaneShowsTheCliff) {
 TEST(Centres, TheThreadCountChangesNothing) {
   const SortedPoints points = sortPoints(spherePoints(5000, 20, 0.2), {});
   setThreadCount(1);
-  const std::vector<Centre> one = selectCentres(points, {});
+  const std::vector<Centre> one = selectCentres(points, {}).centres;
   setThreadCount(5);
-  const std::vector<Centre> five = selectCentres(points, {});
+  const std::vector<Centre> five = selectCentres(points, {}).centres;
   setThreadCount(0);
   ASSERT_EQ(one.size(), five.size());
   for (std::size_t i = 0; i < one.size(); ++i) {

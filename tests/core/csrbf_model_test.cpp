@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,21 @@ TEST(CsrbfModel, APlaneIsItsSignedDistance) {
   }
 }
 
+TEST(CsrbfModel, APlaneInAnyDirectionIsItsSignedDistance) {
+  const glm::vec3 u = glm::normalize(glm::vec3(2, 1, -1)),
+                  v = glm::normalize(glm::cross(u, glm::vec3(0, 1, 3))), n = glm::cross(u, v),
+                  shift(100, -40, 30);
+  SurfacePoints points = planePoints(40);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec3 p = points.positions[i];
+    points.positions[i] = shift + p.x * u + p.y * v;
+    points.normals[i] = n;
+  }
+  const CsrbfModel model = fitCsrbf(points, {});
+  for (const glm::vec3 x : {glm::vec3(20, 20, 0.5f), {11, 25, -1}, {30, 14, 2}})
+    EXPECT_NEAR(model.sample(shift + x.x * u + x.y * v + x.z * n).value, x.z, 1e-3f);
+}
+
 TEST(CsrbfModel, ASphereIsCloseToItsSignedDistance) {
   const SurfacePoints points = spherePoints(20000, 40);
   const CsrbfModel model = fitCsrbf(points, smooth(1e-5));
@@ -41,7 +57,9 @@ TEST(CsrbfModel, ASphereIsCloseToItsSignedDistance) {
 
 TEST(CsrbfModel, TheGradientEqualsDifferences) {
   const SurfacePoints points = noisySphere();
-  const CsrbfModel model = fitCsrbf(points, smooth(2e-4));
+  ReconstructionOptions options = smooth(2e-4);
+  options.fitWeights = true;
+  const CsrbfModel model = fitCsrbf(points, options);
   const float step = 0.02f;
   for (std::size_t i = 0; i < points.size(); i += 501) {
     const glm::vec3 x = 1.01f * points.positions[i];
@@ -80,6 +98,38 @@ TEST(CsrbfModel, SamplesEqualTheSumOverAllCentres) {
     }
     EXPECT_NEAR(double(model.sample(x).coverage), coverage, 1e-4);
     EXPECT_NEAR(double(model.sample(x).value), weighted / coverage, 1e-4);
+  }
+}
+
+// One centre of a cloud that was turned and moved, L and h held: the same support, the same quadric, the same error.
+TEST(CsrbfModel, ARigidMotionMovesTheFit) {
+  const SurfacePoints points = spherePoints(5000, 20, 0.1);
+  const glm::mat3 turn(glm::normalize(glm::vec3(2, 1, -1)), glm::normalize(glm::vec3(1, -1, 1)),
+                       glm::normalize(glm::vec3(0, -1, -1)));
+  ASSERT_NEAR(std::abs(glm::determinant(turn)), 1, 1e-5f);
+  SurfacePoints moved = points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    moved.positions[i] = turn * points.positions[i] + glm::vec3(3, -8, 11);
+    moved.normals[i] = turn * points.normals[i];
+  }
+  const SupportRule rule = supportRule(sortPoints(points, {}), {});
+  const auto fitAt = [&](const SurfacePoints& p, std::uint32_t index) {
+    const SortedPoints sorted = sortPoints(p, {});
+    const auto& order = sorted.grid.order();
+    Neighbourhood scratch;
+    return fitCentre(sorted, std::size_t(std::find(order.begin(), order.end(), index) - order.begin()), rule,
+                     0, scratch);
+  };
+  for (const std::uint32_t index : {0u, 777u, 4001u}) {
+    const FittedCentre still = fitAt(points, index), turned = fitAt(moved, index);
+    EXPECT_NEAR(turned.sigma / still.sigma, 1, 1e-3);
+    EXPECT_NEAR(turned.fit.meanSquare / still.fit.meanSquare, 1, 1e-2);
+    const GlobalQuadric a = toGlobal(still.fit.quadric, still.frame),
+                        b = toGlobal(turned.fit.quadric, turned.frame);
+    for (const glm::vec3 x : {glm::vec3(0.5f, 0.2f, -0.3f), {-1, 0.7f, 0.1f}, {0.4f, 1, 0.9f}}) {
+      const glm::vec3 y = turn * x;
+      EXPECT_NEAR(a.value(x.x, x.y, x.z), b.value(y.x, y.y, y.z), 1e-3f);
+    }
   }
 }
 
@@ -126,6 +176,16 @@ TEST(CsrbfModel, ConfidencePullsTheSurface) {
   const float height = -fitCsrbf(points, smooth(1e-3)).sample({20, 20, 0}).value;
   EXPECT_GT(height, 0);
   EXPECT_LT(height, 0.2f);
+}
+
+TEST(CsrbfModel, WithoutConfidenceAllPointsCountTheSame) {
+  SurfacePoints points = planePoints(40, 0.3), uneven = points;
+  for (std::size_t i = 0; i < points.size(); i += 3) uneven.confidence[i] = 0.05f;
+  ReconstructionOptions off = smooth(1e-3);
+  off.confidence = false;
+  EXPECT_EQ(fitCsrbf(uneven, off).sample({20, 20, 0}).value, fitCsrbf(points, off).sample({20, 20, 0}).value);
+  EXPECT_NE(fitCsrbf(uneven, smooth(1e-3)).sample({20, 20, 0}).value,
+            fitCsrbf(points, smooth(1e-3)).sample({20, 20, 0}).value);
 }
 
 void expectError(SurfacePoints points, const std::string& words) {
