@@ -62,6 +62,8 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.points = results.points->size();
   run.report.echoOffset = results.echoOffset;
   run.report.centres = results.centres;
+  run.report.globalError = results.globalError;
+  run.report.globalErrorWithWeights = results.globalErrorWithWeights;
   run.report.pieces = results.pieces->size();
   run.report.triangles = results.mesh->triangles.size();
   run.report.area = surfaceArea(*results.mesh);

@@ -26,6 +26,8 @@ std::string reportJson(const Report& report) {
   json["points"] = report.points;
   json["echo_offset_mm"] = report.echoOffset;
   json["centres"] = report.centres;
+  json["global_error"] = report.globalError;
+  if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
   json["pieces"] = report.pieces;
   json["triangles"] = report.triangles;
   json["area_mm2"] = report.area;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Report {
   double isoValue = 0;
   std::vector<StageReport> stages;
   std::size_t points = 0, centres = 0, pieces = 0, triangles = 0;
+  double globalError = 0;  // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
+  std::optional<double> globalErrorWithWeights;
   double echoOffset = 0;       // mm that the points were moved inward
   double area = 0;             // mm^2
   double seconds = 0;          // wall time of everything

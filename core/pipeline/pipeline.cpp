@@ -264,15 +264,18 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
           "edge, or "
           "lower surface.minClusterArea",
           results.isoValue);
-  const Key fitKey = keyOf("fit 1", pointsKey, parameters.reconstruction);
+  const Key fitKey = keyOf("fit 2", pointsKey, parameters.reconstruction);
   const auto model = run.stage("fit", 0.8, stages_->model, fitKey, [&](const Progress& p) {
     return fitCsrbf(*results.points, parameters.reconstruction, p);
   });
   results.centres = model->centres().size();
+  results.globalError = model->report().globalError;
+  results.globalErrorWithWeights = model->report().globalErrorWithWeights;
 
   const MeshOptions& mesh = parameters.mesh;
   Hasher surface("surface 2");
-  const Key surfaceKey = surface.add(fitKey).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
+  const Key surfaceKey =
+      surface.add(fitKey).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
   results.pieces = run.stage("surface", 0.98, stages_->pieces, surfaceKey, [&](const Progress& p) {
     return splitPieces(extractIsoSurface(*model, *results.points, mesh, p));
   });

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct Results {
   std::shared_ptr<const SurfacePoints> points;
   double echoOffset = 0;                            // mm that the points were moved inward, onto the skin
   std::size_t centres = 0;                          // of the fitted function
+  double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
+  std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
   std::shared_ptr<const Mesh> mesh;                 // the chosen piece
   std::vector<StageReport> stages;

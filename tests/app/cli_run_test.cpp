@@ -38,7 +38,8 @@ TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
   EXPECT_EQ(report["input"], "phantom");
   EXPECT_EQ(report["dims"], (nlohmann::json{117, 64, 31}));
   EXPECT_EQ(report["spacing_mm"].size(), 3u);
-  for (const char* key : {"points", "centres", "triangles", "area_mm2", "peak_memory_bytes", "threads"})
+  for (const char* key :
+       {"points", "centres", "global_error", "triangles", "area_mm2", "peak_memory_bytes", "threads"})
     EXPECT_GT(report[key].get<double>(), 0) << key;
   EXPECT_FALSE(report["gl"].get<std::string>().empty());
   for (const auto& stage : report["stages"]) {
