@@ -89,6 +89,9 @@ const Command kCommands[] = {
 
   {"surface.reconstruct", "Reconstruct surface", Menu::surface, control(GLFW_KEY_ENTER),
    [](W& w) { w.session.reconstruct(); }, hasScan},
+  {"surface.follow", "Surface follows the parameters", Menu::surface, key(GLFW_KEY_L),
+   [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
+   [](const W& w) { return w.session.followsParameters(); }},
   {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
    [](const W& w) { return busy(w) || w.view.maximised; }},
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -72,19 +73,32 @@ void Session::edit(const Parameters& parameters) { show(parameters); }
 void Session::show(const Parameters& parameters) {
   const bool changesResults = !(classifiedKey(parameters) == classifiedKey(parameters_));
   const bool changesPoints = !(pointsKey(parameters) == pointsKey(parameters_));
+  const bool changesMesh = !(meshKey(parameters) == meshKey(parameters_));
   parameters_ = parameters;
   if (changesResults) {
     update(Goal::classified);
   } else if (changesPoints) {
     update(Goal::points);
+  } else if (changesMesh && mayFollow()) {
+    update(Goal::surface);
   }
+}
+
+// Only the adaptive method is fast enough for that.
+bool Session::mayFollow() const {
+  return follows_ && results_.mesh && parameters_.reconstruction.method == ReconstructionMethod::adaptive;
+}
+
+void Session::followParameters(bool follow) {
+  follows_ = follow;
+  if (mayFollow() && !meshIsCurrent() && !request_) submit(Goal::surface);
 }
 
 // A slider in motion asks more often than a coarse result takes. Each request is left alone until that is
 // there, so that the picture follows the slider; the last one always gets its turn.
 void Session::update(Goal goal) {
   if (previewOwed_) {
-    delayed_ = delayed_ == Goal::classified ? Goal::classified : goal;
+    delayed_ = std::min(delayed_.value_or(goal), goal);  // the others follow the first of them
   } else {
     submit(goal);
   }
@@ -152,8 +166,9 @@ void Session::takeResults() {
   previewOwed_ = false;
   if (fresh->mesh) {
     meshKey_ = requestKey_;
+    meshIsFinal_ = fresh->isFinal;
     meshArea_ = surfaceArea(*fresh->mesh);
-    ++reconstructions_;
+    if (request_ == Goal::mesh) ++reconstructions_;
   } else {
     fresh->mesh = results_.mesh;
     fresh->pieces = results_.pieces;
@@ -165,16 +180,17 @@ void Session::takeResults() {
   ++revision_;
 }
 
-// The points follow the classification as a request of their own: where no surface is found, the classified
-// volume is shown all the same.
+// The points follow the classification as a request of their own, and the surface follows the points: where no surface
+// is found, the classified volume is shown all the same.
 void Session::finishRequest() {
   const Goal goal = *std::exchange(request_, std::nullopt);
   previewOwed_ = false;
   const Runner::Status status = runner_.status();
   if (!status.error.empty()) {
     report(Message::Kind::failure, status.error);
-  } else if (!status.cancelled && goal == Goal::classified && !delayed_) {
-    submit(Goal::points);
+  } else if (!status.cancelled && !delayed_) {
+    if (goal == Goal::classified) submit(Goal::points);
+    if (goal == Goal::points && mayFollow() && !meshIsCurrent()) submit(Goal::surface);
   }
 }
 

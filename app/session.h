@@ -32,7 +32,7 @@ struct Activity {
 
 // Session: the document: a scan, its parameters with their history, and what was made of them. It keeps the
 // results up to date in the background: after every change first a coarse classification, then the full one,
-// then the surface points. Knows no interface and no OpenGL.
+// then the surface points, and once there was a surface that too. Knows no interface and no OpenGL.
 //   threads  one; nothing here waits
 class Session {
  public:
@@ -62,6 +62,11 @@ class Session {
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
+  // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
+  bool meshIsFinal() const { return meshIsFinal_; }
+  // Whether the mesh, once there is one, is made again when parameters change.
+  bool followsParameters() const { return follows_; }
+  void followParameters(bool follow);
   bool classifiedIsCoarse() const;
   double meshArea() const { return meshArea_; }  // mm^2
   void reconstruct();
@@ -79,7 +84,7 @@ class Session {
   Activity activity() const;
   bool saving() const { return saver_.status().busy; }
   std::vector<Message> takeMessages();
-  // revision: grows whenever the scan or the results change; reconstructions: whenever a mesh arrives.
+  // revision: grows whenever the scan or the results change; reconstructions: whenever a mesh that was asked for arrives.
   std::uint64_t revision() const { return revision_; }
   std::uint64_t reconstructions() const { return reconstructions_; }
 
@@ -90,6 +95,7 @@ class Session {
   void show(const Parameters& parameters);
   void update(Goal goal);
   void submit(Goal goal);
+  bool mayFollow() const;
   void takeResults();
   void finishRequest();
   void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
@@ -99,7 +105,8 @@ class Session {
   Parameters parameters_;
   History<Parameters> history_;
   Results results_;
-  Key meshKey_;                  // scan and parameters of results_.mesh
+  Key meshKey_;  // scan and parameters of results_.mesh
+  bool meshIsFinal_ = false, follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   Key requestKey_;
   bool previewOwed_ = false;     // the runner has not delivered anything for its request yet

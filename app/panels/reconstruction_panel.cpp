@@ -41,7 +41,11 @@ void drawMeshFacts(const Session& session) {
   if (results.pieces && results.pieces->size() > 1) {
     fact("Pieces", fmt::format("{}, one is shown", results.pieces->size()));
   }
-  if (!session.meshIsCurrent()) fact("State", "older than the parameters", true);
+  if (!session.meshIsCurrent()) {
+    fact("State", "older than the parameters", true);
+  } else if (!session.meshIsFinal()) {
+    fact("State", "live, not yet final");
+  }
 }
 
 // How smooth the next surface is: the one parameter of the fit that a person turns.

@@ -111,7 +111,8 @@ std::string caption(const Workspace& w) {
   const ViewState& v = w.view;
   if (showsMesh(w)) {
     const std::string triangles = grouped(w.session.results().mesh->triangles.size()) + " triangles";
-    return w.session.meshIsCurrent() ? triangles : triangles + ", older than the parameters";
+    if (!w.session.meshIsCurrent()) return triangles + ", older than the parameters";
+    return w.session.meshIsFinal() ? triangles : triangles + " (live)";
   }
   const char* layer = v.volumeLayer == VolumeLayer::raw ? "Raw volume" : "Classified volume";
   const bool coarse = v.volumeLayer == VolumeLayer::classified && w.session.classifiedIsCoarse();

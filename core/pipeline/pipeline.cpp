@@ -235,7 +235,8 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   results.visibleLevel = double(prepared->levels.visible);
   // Sliders are answered fast; what a mesh is made from is solved to the tolerance.
   Key classifyKey = keyOf("classify 2", prepareKey, classification);
-  if (goal == Goal::mesh || stages_->classified.find(classifyKey)) {
+  results.isFinal = goal == Goal::mesh || stages_->classified.find(classifyKey);
+  if (results.isFinal) {
     results.classified = run.stage(
         "classification", 0.5, stages_->classified, classifyKey,
         [&](const Progress& p) { return classify(*input.volume, prepared->smoothed, classification, p); });

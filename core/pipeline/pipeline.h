@@ -23,7 +23,9 @@ struct StageReport {
 };
 
 // Goal: how far a run goes.
-enum class Goal { classified, points, mesh };
+//   surface   to a mesh, for somebody who turns a slider: made from the live classification unless the final one is known
+//   mesh      to a mesh made from a classification that is solved to its tolerance
+enum class Goal { classified, points, surface, mesh };
 
 // Preview: voxels of twice or four times the size; long voxels grow less.
 enum class Preview { half, quarter };
@@ -32,6 +34,7 @@ enum class Preview { half, quarter };
 struct Results {
   double isoValue = 0;                              // the iso-value used: given, or found from the volume
   double visibleLevel = 0;                          // the grey value that views of the volume take for skin
+  bool isFinal = false;                             // classified to the tolerance, not only live
   std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;

@@ -97,6 +97,46 @@ TEST(Session, MeshIsCurrentUntilAParameterChanges) {
   EXPECT_TRUE(session.meshIsCurrent());
 }
 
+TEST(Session, TheSurfaceFollowsTheParametersOnceThereIsOne) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  Parameters p = session.parameters();
+  p.mesh.resolution = 60;
+  p.surface.minClusterArea = 20;
+  session.edit(p);
+  ASSERT_TRUE(wait(session));
+  EXPECT_FALSE(session.results().mesh);  // nobody asked for one yet
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.meshIsFinal());
+  const auto first = session.results().mesh;
+
+  p.reconstruction.smoothness = 2e-4;
+  session.edit(p);
+  ASSERT_TRUE(wait(session));
+  EXPECT_NE(session.results().mesh, first);
+  EXPECT_TRUE(session.meshIsCurrent() && session.meshIsFinal());  // the classification is the final one still
+
+  p.classification.alpha = 2;
+  session.edit(p);
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.meshIsCurrent());
+  EXPECT_FALSE(session.meshIsFinal());
+  EXPECT_EQ(session.reconstructions(), 1u);  // of those asked for
+
+  session.followParameters(false);
+  const auto live = session.results().mesh;
+  p.reconstruction.smoothness = 1e-4;
+  session.edit(p);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.results().mesh, live);
+  EXPECT_FALSE(session.meshIsCurrent());
+  session.followParameters(true);
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.meshIsCurrent());
+}
+
 TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {
   Session session(tinyPhantom());
   EXPECT_THROW(session.saveMesh("nothing.ply"), Error);
