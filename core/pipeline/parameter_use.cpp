@@ -46,6 +46,16 @@ std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
   return {};
 }
 
+std::string_view reconstructionUse(const ReconstructionOptions& o, std::string_view field) {
+  if (o.method == ReconstructionMethod::global) return {};
+  if (o.method == ReconstructionMethod::thesis &&
+      (field == "neighbours" || field == "maxSupport" || field == "confidence"))
+    return "The thesis has it fixed: 20 neighbours, supports of up to 0.07 of the longest axis, all points "
+           "alike";
+  if (field == "regularisation" && !o.fitWeights) return "No weights are fitted";
+  return {};
+}
+
 }  // namespace
 
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
@@ -53,6 +63,7 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "classification") return classificationUse(parameters.classification, field);
   if (group == "scan" && field == "apex" && parameters.scan.beamOrigin != BeamOrigin::given)
     return "Only used if the beams' origin is given";
+  if (group == "reconstruction") return reconstructionUse(parameters.reconstruction, field);
   if (group == "surface") return surfaceUse(parameters.surface, field);
   return {};
 }

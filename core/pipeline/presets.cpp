@@ -42,6 +42,7 @@ void thesis(Parameters& p) {
   s.borderMargin = 0;
   s.firstHit = 0;
   s.offsetCorrection = false;
+  p.reconstruction.method = ReconstructionMethod::thesis;
   p.reconstruction.regularisation = 1e-6;
   p.reconstruction.fitWeights = true;
 }

@@ -25,11 +25,9 @@ std::vector<std::uint32_t> randomOrder(std::size_t count) {
   return order;
 }
 
-// A fitted centre and the points that it covers, with φ and φ g there.
 struct Candidate {
   FittedCentre centre;
-  std::vector<std::uint32_t> covered;
-  std::vector<float> phi, weighted;
+  SupportValues covered;
 };
 
 // Refills a candidate, whose memory is used again from batch to batch.
@@ -37,21 +35,7 @@ void fitCandidate(const SortedPoints& points, std::uint32_t point, const Support
                   Candidate& candidate) {
   thread_local Neighbourhood scratch;
   candidate.centre = fitCentre(points, point, rule, double(hint), scratch);
-  candidate.covered.assign(scratch.selected().begin(), scratch.selected().end());
-  const LocalSamples s = scratch.selection();
-  candidate.phi.resize(s.count);
-  candidate.weighted.resize(s.count);
-  float *phi = candidate.phi.data(), *weighted = candidate.weighted.data();
-  const auto inverse = float(1 / candidate.centre.sigma);
-  const LocalQuadric& q = candidate.centre.fit.quadric;
-  const auto A = float(q.A), B2 = float(2 * q.B), C = float(q.C), D = float(q.D), E = float(q.E),
-             F = float(q.F);
-#pragma omp simd
-  for (std::size_t j = 0; j < s.count; ++j) {
-    const float u = s.u[j], v = s.v[j];
-    phi[j] = wendland(s.r[j] * inverse);
-    weighted[j] = phi[j] * (s.w[j] - (u * (A * u + B2 * v + D) + v * (C * v + E) + F));
-  }
+  candidate.covered.take(candidate.centre, scratch);
 }
 
 // What is known at a point so far.
@@ -125,7 +109,7 @@ class Cover {
     std::size_t covered = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const Candidate& c = candidates_[i];
-      covered += c.covered.size();
+      covered += c.covered.points.size();
       if (states_[c.centre.point].overlap < threshold) accept(c);
     }
     // Small supports rarely overlap, so many can be fitted at once without waste. The size of a batch depends on
@@ -136,14 +120,14 @@ class Cover {
 
   void accept(const Candidate& c) {
     lastSupport_ = float(c.centre.sigma);
-    for (std::size_t k = 0; k < c.covered.size(); ++k) {
-      PointState& state = states_[c.covered[k]];
-      state.overlap += c.phi[k];
-      state.weighted += c.weighted[k];
+    const SupportValues& covered = c.covered;
+    for (std::size_t k = 0; k < covered.points.size(); ++k) {
+      PointState& state = states_[covered.points[k]];
+      state.overlap += covered.phi[k];
+      state.weighted += covered.weighted[k];
       state.hint = lastSupport_;
     }
-    centres_.push_back({points_.position(c.centre.point), float(c.centre.sigma),
-                        toGlobal(c.centre.fit.quadric, c.centre.frame), 0});
+    centres_.push_back(toCentre(points_, c.centre));
   }
 
   const SortedPoints& points_;
@@ -156,6 +140,10 @@ class Cover {
 };
 
 }  // namespace
+
+Centre toCentre(const SortedPoints& points, const FittedCentre& fitted) {
+  return {points.position(fitted.point), float(fitted.sigma), toGlobal(fitted.fit.quadric, fitted.frame), 0};
+}
 
 SupportRule supportRule(const SortedPoints& points, const ReconstructionOptions& options) {
   constexpr double kSmallestInSpacings = 1.5;

@@ -9,6 +9,9 @@ namespace sonoskin {
 // supportRule: the limits of supports for these points: σ_min = 1.5 h, σ_max = maxSupport L.
 SupportRule supportRule(const SortedPoints& points, const ReconstructionOptions& options);
 
+// toCentre: the same in world axes, without a weight.
+Centre toCentre(const SortedPoints& points, const FittedCentre& fitted);
+
 // CentreSelection: the centres, and what they give at the points.
 struct CentreSelection {
   std::vector<Centre> centres;

@@ -6,6 +6,7 @@
 #include "core/rbf/basis.h"
 #include "core/rbf/centres.h"
 #include "core/rbf/lambda_fit.h"
+#include "core/rbf/thesis_centres.h"
 
 namespace sonoskin {
 namespace {
@@ -61,15 +62,18 @@ glm::vec3 CsrbfModel::gradient(const glm::vec3& x) const {
 
 CsrbfModel fitCsrbf(const SurfacePoints& points, const ReconstructionOptions& options,
                     const Progress& progress) {
-  const double centresFrom = 0.3, centresTo = options.fitWeights ? 0.6 : 1;
-  const SortedPoints sorted = sortPoints(points, options, progress.part(0, centresFrom));
-  CentreSelection selection = selectCentres(sorted, options, progress.part(centresFrom, centresTo));
+  const bool isThesis = options.method == ReconstructionMethod::thesis;
+  const FunctionForm form = isThesis ? FunctionForm::plain : FunctionForm::normalised;
+  const double pointsTo = isThesis ? 0.1 : 0.3, centresTo = options.fitWeights ? (isThesis ? 0.9 : 0.6) : 1;
+  const Progress first = progress.part(0, pointsTo), second = progress.part(pointsTo, centresTo);
+  const SortedPoints sorted = isThesis ? thesisPoints(points, first) : sortPoints(points, options, first);
+  CentreSelection selection =
+      isThesis ? selectThesisCentres(sorted, options, second) : selectCentres(sorted, options, second);
   FitReport report;
-  report.globalError = globalError(sorted, selection.base);
+  report.globalError = globalError(sorted, valuesAtPoints(selection, form));
   if (options.fitWeights)
-    report.globalErrorWithWeights =
-        globalError(sorted, fitLambda(sorted, options.regularisation, selection, FunctionForm::normalised,
-                                      progress.part(centresTo, 1)));
+    report.globalErrorWithWeights = globalError(
+        sorted, fitLambda(sorted, options.regularisation, selection, form, progress.part(centresTo, 1)));
   return CsrbfModel(std::move(selection.centres), report);
 }
 

@@ -49,6 +49,9 @@ class CsrbfModel {
 // fitCsrbf: an implicit function through oriented points.
 //   points     at least 12; unit normals on one side of the surface; confidence > 0
 //   solves     a quadric and a support per centre, then, if options.fitWeights, the weights λ
+//   options    method adaptive, or thesis: its centres, and λ of its plain form Σ (g + λ) φ, which has the same zero set;
+//              the global error is that of the plain form then. Its program built the right side b for one centre
+//              only; here it is built as printed
 //   cost       O(N); 113k points: 0.25 s on two cores; about 60 bytes per point
 //   errors     Error: the points span no surface (see sortPoints); Cancelled
 //   threads    the result does not depend on their number

@@ -87,9 +87,9 @@ LocalQuadric solveQuadric(const Moments& m) {
 }
 
 // Σ w_j (g/|∇g|)² with |∇g|² = 1 + (2Au + 2Bv + D)² + (2Bu + 2Cv + E)²
-float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const LocalQuadric& q) {
+float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const LocalQuadric& q, SlopeForm slope) {
   const auto A = float(q.A), B2 = float(2 * q.B), C = float(q.C), D = float(q.D), E = float(q.E),
-             F = float(q.F);
+             F = float(q.F), mixed = slope == SlopeForm::exact ? B2 : float(q.B);
   const float *su = s.u, *sv = s.v, *sw = s.w, *sr = s.r, *sd = s.d;
   float sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -97,7 +97,7 @@ float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const Local
     const float weight = wendland(sr[j] * inverseSigma) * sd[j];
     const float u = su[j] * inverseSigma, v = sv[j] * inverseSigma, w = sw[j] * inverseSigma;
     const float g = w - (u * (A * u + B2 * v + D) + v * (C * v + E) + F);
-    const float gu = 2 * A * u + B2 * v + D, gv = B2 * u + 2 * C * v + E;
+    const float gu = 2 * A * u + mixed * v + D, gv = mixed * u + 2 * C * v + E;
     sum += weight * g * g / (1 + gu * gu + gv * gv);
   }
   return sum;
@@ -113,12 +113,12 @@ Frame frameAround(const glm::vec3& normal) {
   return {u, glm::cross(normal, u), normal};
 }
 
-LocalFit fitQuadric(const LocalSamples& samples, double sigma) {
+LocalFit fitQuadric(const LocalSamples& samples, double sigma, SlopeForm slope) {
   const auto inverseSigma = float(1 / sigma);
   const Moments m = sumMoments(samples, inverseSigma);
   if (!(m.u00 > 0)) return {};
   const LocalQuadric q = solveQuadric(m);
-  const double sum = double(sumSquaredDistances(samples, inverseSigma, q));
+  const double sum = double(sumSquaredDistances(samples, inverseSigma, q, slope));
   return {{q.A / sigma, q.B / sigma, q.C / sigma, q.D, q.E, q.F * sigma},
           sum * sigma * sigma / double(m.u00)};
 }

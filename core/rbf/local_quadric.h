@@ -33,13 +33,18 @@ struct LocalFit {
   double meanSquare = 0;  // Σ w_j (g/|∇g|)² / Σ w_j: mean squared distance of the points, mm²
 };
 
+// SlopeForm: how |∇g| takes the mixed term 2B uv of g.
+//   exact     its derivatives are 2B v and 2B u
+//   printed   B v and B u, as the thesis' program has them; only to repeat its figures
+enum class SlopeForm { exact, printed };
+
 // fitQuadric: the quadric closest to the samples within the support.
 //   sigma    support, mm; samples at r >= sigma do not count
 //   solves   min Σ_j w_j g(p_j)², w_j = d_j φ(r_j/σ)             [thesis 3.16 with its missing square, 3.17]
 //   method   coordinates scaled by 1/σ, 21 sums in float, 6x6 Cholesky in double; if singular a plane, then a
 //            constant
 //   cost     O(count); 40 operations per sample, vector code
-LocalFit fitQuadric(const LocalSamples& samples, double sigma);
+LocalFit fitQuadric(const LocalSamples& samples, double sigma, SlopeForm slope = SlopeForm::exact);
 
 // GlobalQuadric: the same function of x = position - centre in world axes: g = xᵀQx + l·x + f. Cheaper to
 // evaluate.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/rbf/basis.h"
+
 namespace sonoskin {
 namespace {
 
@@ -105,6 +107,24 @@ FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const Sup
   scratch.select(result.frame, float(*sigma));
   result.fit = fitQuadric(scratch.selection(), *sigma);
   return result;
+}
+
+void SupportValues::take(const FittedCentre& centre, const Neighbourhood& selected) {
+  points.assign(selected.selected().begin(), selected.selected().end());
+  const LocalSamples s = selected.selection();
+  phi.resize(s.count);
+  weighted.resize(s.count);
+  float *outPhi = phi.data(), *outWeighted = weighted.data();
+  const auto inverse = float(1 / centre.sigma);
+  const LocalQuadric& q = centre.fit.quadric;
+  const auto A = float(q.A), B2 = float(2 * q.B), C = float(q.C), D = float(q.D), E = float(q.E),
+             F = float(q.F);
+#pragma omp simd
+  for (std::size_t j = 0; j < s.count; ++j) {
+    const float u = s.u[j], v = s.v[j];
+    outPhi[j] = wendland(s.r[j] * inverse);
+    outWeighted[j] = outPhi[j] * (s.w[j] - (u * (A * u + B2 * v + D) + v * (C * v + E) + F));
+  }
 }
 
 }  // namespace sonoskin

@@ -47,4 +47,13 @@ struct FittedCentre {
 FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const SupportRule& rule, double hint,
                        Neighbourhood& scratch);
 
+// SupportValues: the points that a support covers, with φ and φ g there.
+struct SupportValues {
+  std::vector<std::uint32_t> points;
+  std::vector<float> phi, weighted;
+
+  // take: what the centre gives at the points that `selected` has selected; memory is used again.
+  void take(const FittedCentre& centre, const Neighbourhood& selected);
+};
+
 }  // namespace sonoskin

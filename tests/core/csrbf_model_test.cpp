@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -232,6 +233,25 @@ TEST(CsrbfModel, BearsCopiesAndVeryFewPoints) {
   }
   const CsrbfModel copies = fitCsrbf(points, {});
   for (const glm::vec3& p : points.positions) EXPECT_TRUE(std::isfinite(copies.sample(p).value));
+}
+
+// Whatever the moment. A tenth of a second is asked for; a test must bear busy machines.
+TEST(CsrbfModel, StopsSoonAfterEveryMoment) {
+  const SurfacePoints points = spherePoints(100000, 90, 0.3);
+  ReconstructionOptions options = smooth(1e-5);
+  options.fitWeights = true;
+  for (const double moment : {0.0, 0.05, 0.2, 0.45, 0.7, 0.8, 0.9}) {
+    ProgressSink sink;
+    std::chrono::steady_clock::time_point cancelled;
+    sink.report = [&](double fraction) {
+      if (fraction < moment || sink.cancel) return;
+      sink.cancel = true;
+      cancelled = std::chrono::steady_clock::now();
+    };
+    EXPECT_THROW(fitCsrbf(points, options, Progress(sink)), Cancelled) << moment;
+    const std::chrono::duration<double> late = std::chrono::steady_clock::now() - cancelled;
+    EXPECT_LT(late.count(), 0.5) << moment;
+  }
 }
 
 }  // namespace

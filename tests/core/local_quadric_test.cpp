@@ -80,6 +80,34 @@ TEST(LocalQuadric, ReproducesAQuadricExactly) {
   EXPECT_LT(std::sqrt(fit.meanSquare), 1e-5);
 }
 
+// The thesis' program halves the mixed term in |∇g|: the same quadric, another residual.
+TEST(LocalQuadric, ThePrintedSlopeChangesTheResidualAlone) {
+  std::vector<float> u, v, w, r, d;
+  for (int y = -4; y <= 4; ++y)
+    for (int x = -4; x <= 4; ++x) {
+      u.push_back(float(x)), v.push_back(float(y));
+      w.push_back(0.2f * float(x * y) + 0.1f * float((3 * x + 5 * y) % 4));
+      r.push_back(std::hypot(float(x), float(y)));
+      d.push_back(1);
+    }
+  const LocalSamples samples{u.data(), v.data(), w.data(), r.data(), d.data(), u.size()};
+  const double sigma = 4.5;
+  const LocalFit exact = fitQuadric(samples, sigma), printed = fitQuadric(samples, sigma, SlopeForm::printed);
+  const LocalQuadric& q = exact.quadric;
+  EXPECT_EQ(q.B, printed.quadric.B);
+  double sum = 0, weights = 0;
+  for (std::size_t j = 0; j < u.size(); ++j) {
+    const double x = double(u[j]), y = double(v[j]), t = double(r[j]) / sigma;
+    const double weight = t < 1 ? std::pow(1 - t, 4) * (4 * t + 1) : 0;
+    const double g = double(w[j]) - (q.A * x * x + 2 * q.B * x * y + q.C * y * y + q.D * x + q.E * y + q.F);
+    const double gu = 2 * q.A * x + q.B * y + q.D, gv = q.B * x + 2 * q.C * y + q.E;
+    sum += weight * g * g / (1 + gu * gu + gv * gv);
+    weights += weight;
+  }
+  EXPECT_NEAR(printed.meanSquare, sum / weights, 1e-4 * printed.meanSquare);
+  EXPECT_GT(printed.meanSquare, 1.05 * exact.meanSquare);
+}
+
 TEST(LocalQuadric, FallsBackToAPlaneAndToAConstant) {
   Cloud line, place;
   for (int i = -10; i <= 10; ++i) line.add(0.1 * i, 0, 0.05 * i + 0.2);

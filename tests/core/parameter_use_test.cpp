@@ -6,6 +6,8 @@
 
 #include "core/base/parallel.h"
 #include "core/classification/classify.h"
+#include "core/rbf/csrbf_model.h"
+#include "tests/support/synthetic_points.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -81,6 +83,38 @@ TEST(ParameterUse, WithoutEnhancementItsParametersAreUnused) {
   EXPECT_TRUE(unusedBecause(p, "enhancement", "method").empty());
   p.enhancement.method = EnhancementMethod::diffusion;
   EXPECT_TRUE(unusedBecause(p, "enhancement", "iterations").empty());
+}
+
+// What a fit is said to ignore changes nothing, and everything else changes it.
+TEST(ParameterUse, AFitIgnoresWhatItIsSaidToIgnore) {
+  SurfacePoints points = spherePoints(5000, 10, 0.1);
+  for (std::size_t i = 0; i < points.size(); i += 2) points.confidence[i] = 0.3f;
+  const auto outcome = [&](const ReconstructionOptions& o) {
+    const CsrbfModel model = fitCsrbf(points, o);
+    double sum = 0;
+    for (const Centre& c : model.centres()) sum += double(c.support + c.quadric.f + c.lambda);
+    return sum;
+  };
+  for (const auto method : {ReconstructionMethod::adaptive, ReconstructionMethod::thesis})
+    for (const bool weights : {false, true}) {
+      Parameters p;
+      ReconstructionOptions& o = p.reconstruction;
+      o = {method, 1e-4, 1.5, 10, 0.3, true, weights, 1e-4};
+      const double usual = outcome(o);
+      const auto check = [&](const char* field, auto ReconstructionOptions::*member, auto value) {
+        ReconstructionOptions changed = o;
+        changed.*member = value;
+        EXPECT_EQ(outcome(changed) != usual, unusedBecause(p, "reconstruction", field).empty())
+            << field << " with method " << int(method) << " and weights " << weights;
+      };
+      check("smoothness", &ReconstructionOptions::smoothness, 5e-5);
+      check("overlap", &ReconstructionOptions::overlap, 2.0);
+      check("neighbours", &ReconstructionOptions::neighbours, 20);
+      check("maxSupport", &ReconstructionOptions::maxSupport, 0.05);
+      check("confidence", &ReconstructionOptions::confidence, false);
+      check("fitWeights", &ReconstructionOptions::fitWeights, !weights);
+      check("regularisation", &ReconstructionOptions::regularisation, 1e-2);
+    }
 }
 
 TEST(ParameterUse, TheLargestPieceNeedsNoStrength) {

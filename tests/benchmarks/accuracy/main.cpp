@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "tests/benchmarks/accuracy/levels.h"
 #include "tests/benchmarks/accuracy/methods.h"
+#include "tests/benchmarks/accuracy/reconstruction.h"
 #include "tests/benchmarks/accuracy/report.h"
 #include "tests/benchmarks/accuracy/settings.h"
 
@@ -19,7 +20,7 @@ struct Request {
   std::vector<std::string> levels, methods, sets;
   std::string sweep;
   int seed = 1, threads = 0;
-  bool lines = false;
+  bool lines = false, reconstruction = false;
 };
 
 std::vector<Method> allMethods() {
@@ -40,6 +41,7 @@ Request parse(int argc, char** argv) {
   app.add_option("--sweep", request.sweep, "one row for each value: group.field=value,value,...");
   app.add_option("--seed", request.seed, "of the speckle");
   app.add_option("--threads", request.threads, "0: all of the machine");
+  app.add_flag("--reconstruction", request.reconstruction, "meshes instead of points: RMS, normals and more");
   app.add_flag("--lines", request.lines, "key=value lines instead of tables");
   try {
     app.parse(argc, argv);
@@ -109,6 +111,7 @@ void runAll(const Request& request) {
     for (const Setting& setting : parseSettings(text)) apply(setting, parameters);
   parameters.phantom.dims = {request.dims[0], request.dims[1], request.dims[2]};
   parameters.phantom.seed = request.seed;
+  if (request.reconstruction) return printReconstructionTables(parameters);
   const Truth truth(parameters.phantom);
   const ContrastMeter meter(parameters.phantom);
   std::vector<Row> all;
