@@ -4,7 +4,10 @@
 
 #include <nanoflann.hpp>
 
+#include "core/base/timer.h"
 #include "core/rbf/csrbf_model.h"
+#include "core/rbf/lambda_fit.h"
+#include "core/rbf/thesis_centres.h"
 #include "tests/benchmarks/point_input.h"
 
 namespace sonoskin {
@@ -43,6 +46,59 @@ BENCHMARK(fit)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+// The thesis' table 4.2: T_reg 1e-6; base: points, supports and centres; weights: lambda. Ours beside its own variant.
+void table(benchmark::State& state) {
+  const SurfacePoints& cloud = cloudOf(state.range(1));
+  const bool isThesis = state.range(0) != 0;
+  const FunctionForm form = isThesis ? FunctionForm::plain : FunctionForm::normalised;
+  ReconstructionOptions options;
+  options.smoothness = double(state.range(2)) * 1e-6;
+  double base = 1e9, weights = 1e9, error = 0, errorWithWeights = 0;
+  std::size_t centres = 0;
+  for (auto _ : state) {
+    const Timer timer;
+    const SortedPoints points = isThesis ? thesisPoints(cloud) : sortPoints(cloud, options);
+    CentreSelection selection =
+        isThesis ? selectThesisCentres(points, options) : selectCentres(points, options);
+    base = std::min(base, timer.seconds());
+    error = globalError(points, valuesAtPoints(selection, form));
+    const Timer weightTimer;
+    errorWithWeights = globalError(points, fitLambda(points, 1e-6, selection, form));
+    weights = std::min(weights, weightTimer.seconds());
+    centres = selection.centres.size();
+  }
+  state.counters["base s"] = base;
+  state.counters["weights s"] = weights;
+  state.counters["centres"] = double(centres);
+  state.counters["error"] = error;
+  state.counters["with weights"] = errorWithWeights;
+}
+BENCHMARK(table)
+    ->ArgNames({"thesis", "cloud", "T_sa, 1e-6"})
+    ->ArgsProduct({{0, 1}, {relaxedScan}, {10, 20, 50, 100}})
+    ->ArgsProduct({{0, 1}, {skin362}, {100}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// What the thesis' program does after every centre: all points are sorted by their overlap again. Times the centres of the
+// table this is most of its time; our queue gives the same order.
+void sortAllPoints(benchmark::State& state) {
+  const std::size_t count = cloudOf(state.range(0)).size();
+  std::mt19937 random(3);
+  std::vector<std::pair<float, std::uint32_t>> byOverlap(count);
+  for (std::uint32_t i = 0; i < count; ++i) byOverlap[i] = {float(random()), i};
+  std::sort(byOverlap.begin(), byOverlap.end());
+  for (auto _ : state) {
+    state.PauseTiming();
+    for (std::size_t k = 0; k < 300; ++k)  // a support's points have moved up
+      byOverlap[random() % count].first += 1e9f;
+    state.ResumeTiming();
+    std::sort(byOverlap.begin(), byOverlap.end());
+  }
+}
+BENCHMARK(sortAllPoints)->Arg(relaxedScan)->Unit(benchmark::kMillisecond);
 
 // A floor for the fit: the ten nearest neighbours of every point, as nanoflann finds them on one thread.
 struct PointCloud {
