@@ -148,6 +148,7 @@ void Application::drawSidePanel(float width) {
   ImGui::BeginChild("side", {width, ImGui::GetMainViewport()->WorkSize.y - status}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ui::drawVolumePanel(workspace_);
+  ui::drawRegionPanel(workspace_);
   ui::drawClassificationPanel(workspace_);
   ui::drawReconstructionPanel(workspace_);
   ui::drawViewPanel(workspace_);
@@ -161,6 +162,10 @@ void Application::act(const ui::FileChoice& choice) {
   switch (choice.purpose) {
     case ui::FilePurpose::openVolume:
       return workspace_.open(choice.path);
+    case ui::FilePurpose::openErased:
+      return session.loadErased(choice.path);
+    case ui::FilePurpose::saveErased:
+      return session.saveErased(choice.path);
     case ui::FilePurpose::openRecipe:
       return session.loadRecipe(choice.path);
     case ui::FilePurpose::saveRecipe:

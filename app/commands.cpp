@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cassert>
 #include <string_view>
 
@@ -35,8 +36,29 @@ void resetParameters(W& w) {
   w.session.commitEdit();
 }
 
+bool hasErased(const W& w) { return w.session.erased().voxels() > 0; }
+
+bool isCut(const W& w) {
+  const RegionOptions &now = w.session.parameters().region, none{};
+  return now.cutLow != none.cutLow || now.cutHigh != none.cutHigh;
+}
+
+void resetCropBox(W& w) {
+  Parameters parameters = w.session.parameters();
+  parameters.region = {};
+  w.session.edit(parameters);
+  w.session.commitEdit();
+}
+
+void scaleBrush(W& w, double factor) {
+  w.view.brushRadius = std::clamp(w.view.brushRadius * factor, kLeastBrush, kMostBrush);
+}
+
+// Escape ends what is most in the way.
 void stop(W& w) {
-  if (busy(w)) {
+  if (w.view.erasing && !w.session.activity().blocking) {
+    w.view.erasing = false;
+  } else if (busy(w)) {
     w.session.cancel();
   } else {
     w.view.maximised.reset();
@@ -60,6 +82,10 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::saveMesh, w.settings.folder, w.session.proposedName(".ply")); }, hasMesh, nullptr, true},
   {"file.savePicture", "Save picture...", Menu::file, key(GLFW_KEY_F12),
    [](W& w) { w.files.ask(ui::FilePurpose::savePicture, w.settings.folder, w.session.proposedName(".png")); }, hasScan},
+  {"file.openErased", "Open erased parts...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::openErased, w.settings.folder, ""); }, hasScan, nullptr, true},
+  {"file.saveErased", "Save erased parts...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveErased, w.settings.folder, w.session.proposedName(".erased.nrrd")); }, hasErased},
   {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.quit = true; }, nullptr, nullptr, true},
 
   {"edit.undo", "Undo", Menu::edit, control(GLFW_KEY_Z), [](W& w) { w.session.undo(); },
@@ -87,13 +113,22 @@ const Command kCommands[] = {
   {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },
    nullptr, [](const W& w) { return w.view.maximised == Pane::space; }, true},
 
+  {"region.box", "Show the crop box", Menu::region, key(GLFW_KEY_B), [](W& w) { w.view.cropBox = !w.view.cropBox; },
+   hasScan, [](const W& w) { return w.view.cropBox; }},
+  {"region.resetBox", "Crop box around the whole volume", Menu::region, {}, resetCropBox, isCut},
+  {"region.erase", "Erase in the slices", Menu::region, key(GLFW_KEY_E), [](W& w) { w.view.erasing = !w.view.erasing; },
+   hasScan, [](const W& w) { return w.view.erasing; }, true},
+  {"region.smaller", "Smaller eraser", Menu::region, key(GLFW_KEY_LEFT_BRACKET), [](W& w) { scaleBrush(w, 1 / 1.2); }, hasScan},
+  {"region.larger", "Larger eraser", Menu::region, key(GLFW_KEY_RIGHT_BRACKET), [](W& w) { scaleBrush(w, 1.2); }, hasScan},
+  {"region.clear", "Bring everything back", Menu::region, {}, [](W& w) { w.session.clearErased(); }, hasErased},
+
   {"surface.reconstruct", "Reconstruct surface", Menu::surface, control(GLFW_KEY_ENTER),
    [](W& w) { w.session.reconstruct(); }, hasScan},
   {"surface.follow", "Surface follows the parameters", Menu::surface, key(GLFW_KEY_L),
    [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
    [](const W& w) { return w.session.followsParameters(); }},
   {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
-   [](const W& w) { return busy(w) || w.view.maximised; }},
+   [](const W& w) { return busy(w) || w.view.erasing || w.view.maximised; }},
 
   {"help.keys", "Mouse and keys", Menu::help, key(GLFW_KEY_H), [](W& w) { w.keysShown = !w.keysShown; }},
   {"help.about", "About Sonoskin", Menu::help, {}, [](W& w) { w.aboutShown = true; }},

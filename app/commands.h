@@ -7,7 +7,7 @@ namespace sonoskin {
 
 struct Workspace;
 
-enum class Menu { file, edit, view, surface, help };
+enum class Menu { file, edit, view, region, surface, help };
 
 // Shortcut: a key of GLFW, with Control and Shift as said; 0 for none.
 struct Shortcut {

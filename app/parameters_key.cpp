@@ -21,6 +21,7 @@ Key classifiedKey(const Parameters& parameters) {
 Key pointsKey(const Parameters& parameters) {
   Hasher hasher("points");
   hasher.add(classifiedKey(parameters));
+  addOptions(hasher, parameters.region);
   addOptions(hasher, parameters.surface);
   return hasher.key();
 }

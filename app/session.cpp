@@ -1,60 +1,23 @@
 #include "app/session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <memory>
 #include <utility>
 
 #include "app/parameters_key.h"
-#include "core/base/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/mesh_writer.h"
-#include "core/io/volume_reader.h"
-#include "core/phantom/phantom.h"
-#include "core/pipeline/recipe.h"
 
 namespace sonoskin {
-namespace fs = std::filesystem;
 
-Session::Session(const Parameters& parameters) : parameters_(parameters), history_(parameters) {}
+Session::Session(const Parameters& parameters) : parameters_(parameters), history_({parameters}) {}
 
-// ---- opening
-
-void Session::open(const std::string& label, const std::string& name,
-                   std::function<Scan(const Progress&)> make) {
-  const auto made = std::make_shared<Scan>();
-  opener_.replace({label,
-                   [made, make = std::move(make)](const Progress& progress) { *made = make(progress); },
-                   [this, made, name] { adopt(std::move(*made), name); }});
-}
-
-void Session::openFile(const fs::path& path) {
-  const std::string name = path.filename().string();
-  open("Opening " + name, name, [path](const Progress& progress) { return readScan(path, progress); });
-}
-
-void Session::openPhantom() {
-  open("Simulating the phantom", "Phantom", [options = parameters_.phantom](const Progress& progress) {
-    return makePhantomScan(options, progress);
-  });
-}
-
-void Session::setSpacing(const glm::dvec3& spacing) {
-  open("Setting the spacing", name_, [scan = scan_, spacing](const Progress&) {
-    auto volume = std::make_shared<Volume<float>>(*scan.volume);
-    volume->geometry.spacing = spacing;
-    Scan changed = scan;
-    changed.key = scanKey(*volume, scan.beam);
-    changed.volume = std::move(volume);
-    changed.spacingKnown = true;
-    return changed;
-  });
-}
-
+// A crop box and what was erased belong to their volume: for one of other dimensions both begin anew, and with them
+// what undo goes back to.
 void Session::adopt(Scan scan, const std::string& name) {
+  const bool other = hasScan() && scan.volume->geometry.dims != scan_.volume->geometry.dims;
+  const bool anew = other || erased_.hasStrokes() || scan.erased;
+  if (other) parameters_.region = {};
+  erased_.reset(scan.volume->geometry);
+  if (scan.erased) erased_.become(*scan.erased);
+  if (anew) history_ = History<Version>({parameters_, erased_.strokes()});
   scan_ = std::move(scan);
   name_ = name;
   runner_.cancel();
@@ -72,7 +35,8 @@ void Session::edit(const Parameters& parameters) { show(parameters); }
 // Makes these the parameters; what is shown live is made anew where it depends on what changed.
 void Session::show(const Parameters& parameters) {
   const bool changesResults = !(classifiedKey(parameters) == classifiedKey(parameters_));
-  const bool changesPoints = !(pointsKey(parameters) == pointsKey(parameters_));
+  const bool changesPoints =
+      !(pointsKey(parameters) == pointsKey(parameters_)) || !(scan_.erasedKey == erased_.key());
   const bool changesMesh = !(meshKey(parameters) == meshKey(parameters_));
   parameters_ = parameters;
   if (changesResults) {
@@ -94,10 +58,11 @@ void Session::followParameters(bool follow) {
   if (mayFollow() && !meshIsCurrent() && !request_) submit(Goal::surface);
 }
 
-// A slider in motion asks more often than a coarse result takes. Each request is left alone until that is
-// there, so that the picture follows the slider; the last one always gets its turn.
+// A slider in motion, and a stroke, ask more often than a coarse result or new points take. Each request is left alone
+// until that is there, so that the picture follows the mouse; the last one always gets its turn. What goes farther back
+// does not wait for what follows from it.
 void Session::update(Goal goal) {
-  if (previewOwed_) {
+  if (answerOwed_ && (request_ == Goal::classified || goal >= request_)) {
     delayed_ = std::min(delayed_.value_or(goal), goal);  // the others follow the first of them
   } else {
     submit(goal);
@@ -105,34 +70,46 @@ void Session::update(Goal goal) {
 }
 
 void Session::commitEdit() {
-  if (!(parametersKey(parameters_) == parametersKey(history_.current()))) history_.push(parameters_);
+  erased_.endStroke();
+  const Version& last = history_.current();
+  const bool same = parametersKey(parameters_) == parametersKey(last.parameters);
+  if (!same || erased_.strokes() != last.strokes) history_.push({parameters_, erased_.strokes()});
+}
+
+void Session::showVersion() {
+  erased_.goTo(history_.current().strokes);
+  show(history_.current().parameters);
 }
 
 void Session::undo() {
   commitEdit();
   history_.undo();
-  show(history_.current());
+  showVersion();
 }
 
 void Session::redo() {
   history_.redo();
-  show(history_.current());
+  showVersion();
 }
 
-void Session::loadRecipe(const fs::path& path) {
-  std::ifstream file(path);
-  const std::string json{std::istreambuf_iterator<char>(file), {}};
-  require(bool(file), "cannot read {}; check its name and its rights", path.string());
-  Parameters read = parameters_;
-  readRecipe(json, read);
-  show(read);
+// ---- erasing
+
+void Session::erase(const Brush& brush) {
+  if (hasScan() && erased_.paint(brush)) update(Goal::points);
+}
+
+void Session::clearErased() {
+  erased_.clear();
+  show(parameters_);
   commitEdit();
 }
 
 // ---- results
 
-bool Session::meshIsCurrent() const {
-  return results_.mesh && meshKey_ == Hasher("mesh").add(scan_.key).add(meshKey(parameters_)).key();
+bool Session::meshIsCurrent() const { return results_.mesh && meshKey_ == currentMeshKey(); }
+
+Key Session::currentMeshKey() const {
+  return Hasher("mesh").add(scan_.key).add(erased_.key()).add(meshKey(parameters_)).key();
 }
 
 bool Session::classifiedIsCoarse() const {
@@ -142,9 +119,11 @@ bool Session::classifiedIsCoarse() const {
 void Session::submit(Goal goal) {
   if (!hasScan()) return;
   delayed_.reset();
-  previewOwed_ = goal == Goal::classified;
+  answerOwed_ = goal != Goal::mesh;
   request_ = goal;
-  requestKey_ = Hasher("mesh").add(scan_.key).add(meshKey(parameters_)).key();
+  requestKey_ = currentMeshKey();
+  scan_.erased = erased_.snapshot();
+  scan_.erasedKey = erased_.key();
   runner_.submit({scan_, parameters_, goal, goal == Goal::classified});
 }
 
@@ -163,7 +142,7 @@ void Session::cancel() {
 void Session::takeResults() {
   std::optional<Results> fresh = runner_.takeResults();
   if (!fresh) return;
-  previewOwed_ = false;
+  answerOwed_ = false;
   if (fresh->mesh) {
     meshKey_ = requestKey_;
     meshIsFinal_ = fresh->isFinal;
@@ -184,7 +163,7 @@ void Session::takeResults() {
 // is found, the classified volume is shown all the same.
 void Session::finishRequest() {
   const Goal goal = *std::exchange(request_, std::nullopt);
-  previewOwed_ = false;
+  answerOwed_ = false;
   const Runner::Status status = runner_.status();
   if (!status.error.empty()) {
     report(Message::Kind::failure, status.error);
@@ -202,7 +181,7 @@ bool Session::poll() {
   const bool ended = request_ && !runner_.status().busy;
   takeResults();
   if (ended) finishRequest();
-  if (delayed_ && !previewOwed_) submit(*delayed_);
+  if (delayed_ && !answerOwed_) submit(*delayed_);
   return ended || revision_ != before || messages_.size() != told;
 }
 
@@ -217,41 +196,5 @@ Activity Session::activity() const {
 }
 
 std::vector<Message> Session::takeMessages() { return std::exchange(messages_, {}); }
-
-// ---- saving
-
-void Session::save(const fs::path& path, std::function<void(const Progress&)> write) {
-  const std::string recipe = writeRecipe(parameters_, scan_.key);
-  saver_.append({"Saving " + path.filename().string(),
-                 [path, recipe, write = std::move(write)](const Progress& progress) {
-                   write(progress);
-                   const fs::path beside = fs::path(path).replace_extension(".recipe.json");
-                   writeBytes(beside, recipe.data(), recipe.size());
-                 },
-                 [this, path] { report(Message::Kind::note, "Saved " + path.string()); }});
-}
-
-std::string Session::proposedName(const std::string& ending) const {
-  const std::string stem = name_.substr(0, name_.find('.'));
-  return (stem.empty() ? "sonoskin" : stem) + ending;
-}
-
-void Session::saveMesh(const fs::path& path) {
-  require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
-  save(path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); });
-}
-
-void Session::savePicture(const fs::path& path, Image image) {
-  const auto picture = std::make_shared<Image>(std::move(image));
-  save(path, [path, picture](const Progress&) { writePng(path, *picture); });
-}
-
-void Session::saveRecipe(const fs::path& path) {
-  saver_.append({"Saving " + path.filename().string(),
-                 [path, recipe = writeRecipe(parameters_, scan_.key)](const Progress&) {
-                   writeBytes(path, recipe.data(), recipe.size());
-                 },
-                 [this, path] { report(Message::Kind::note, "Saved " + path.string()); }});
-}
 
 }  // namespace sonoskin

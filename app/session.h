@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/erased_parts.h"
 #include "app/history.h"
 #include "app/worker.h"
 #include "core/io/image.h"
@@ -59,6 +60,14 @@ class Session {
   void redo();
   void loadRecipe(const std::filesystem::path& path);
 
+  // Erasing. erase() is what the eraser does while it moves; commitEdit() when it is let go makes the step that
+  // undo() takes back. Loading and clearing are steps of their own.
+  const ErasedParts& erased() const { return erased_; }
+  void erase(const Brush& brush);
+  void clearErased();
+  void loadErased(const std::filesystem::path& path);
+  void saveErased(const std::filesystem::path& path);
+
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
@@ -92,7 +101,10 @@ class Session {
   void adopt(Scan scan, const std::string& name);
   void open(const std::string& label, const std::string& name, std::function<Scan(const Progress&)> make);
   void save(const std::filesystem::path& path, std::function<void(const Progress&)> write);
+  void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write);
   void show(const Parameters& parameters);
+  void showVersion();
+  Key currentMeshKey() const;
   void update(Goal goal);
   void submit(Goal goal);
   bool mayFollow() const;
@@ -100,16 +112,23 @@ class Session {
   void finishRequest();
   void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
 
+  // Version: what undo goes back to.
+  struct Version {
+    Parameters parameters;
+    std::size_t strokes = 0;  // of the eraser
+  };
+
   Scan scan_;
   std::string name_;
   Parameters parameters_;
-  History<Parameters> history_;
+  ErasedParts erased_;
+  History<Version> history_;
   Results results_;
   Key meshKey_;  // scan and parameters of results_.mesh
   bool meshIsFinal_ = false, follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   Key requestKey_;
-  bool previewOwed_ = false;     // the runner has not delivered anything for its request yet
+  bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
   std::optional<Goal> delayed_;  // what to submit when it has
   double meshArea_ = 0;
   std::uint64_t revision_ = 0, reconstructions_ = 0;

@@ -35,6 +35,10 @@ struct ViewState {
   GreyWindow grey;       // of the raw slices
   SliceLayer layer = SliceLayer::raw;
   bool surfaceVoxels = true;
+  bool cropBox = true;              // its lines in all views, and its sides can be dragged
+  bool erasing = false;             // the left button erases in slices
+  double brushRadius = 6;           // mm
+  bool toolHeld = false;            // the eraser or a side of the box, by the mouse: the 3D view draws drafts
   std::array<SlicePose, 3> slices;  // by Plane
 
   SpaceContent content = SpaceContent::volume;
@@ -49,6 +53,9 @@ struct ViewState {
 
   std::optional<Pane> maximised;
 };
+
+// kLeastBrush, kMostBrush: the smallest and the largest ball of the eraser, mm.
+inline constexpr double kLeastBrush = 1, kMostBrush = 40;
 
 // shownLevel: the grey value at which the ray-caster sees a surface: the person's, else the visible level that
 // the pipeline used or, in the classified volume, what makes a strong surface voxel.

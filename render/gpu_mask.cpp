@@ -6,6 +6,7 @@ namespace sonoskin {
 
 void GpuMask::set(const Volume<std::uint8_t>& mask, const Key& key) {
   const glm::ivec3 dims = mask.geometry.dims;
+  geometry_ = mask.geometry;
   if (texture_ && key_ == key && texture_.size() == dims) return;
   if (!texture_ || texture_.size() != dims) {
     texture_ = gl::Texture({.size = dims, .format = gl::Format::r8});

@@ -17,10 +17,12 @@ class GpuMask {
   void set(const Volume<std::uint8_t>& mask, const Key& key);
 
   const gl::Texture& texture() const { return texture_; }
+  const Geometry& geometry() const { return geometry_; }
   explicit operator bool() const { return bool(texture_); }
 
  private:
   gl::Texture texture_;
+  Geometry geometry_;
   Key key_;
   std::vector<Key> slices_;
 };

@@ -28,6 +28,16 @@ View viewOf(const LightView& light) {
           light.up * light.radius};
 }
 
+// From voxel indices of the volume to places in the mask's texture, 0 to 1.
+void setErased(gl::Program& program, const GpuMask& erased, const Geometry& volume) {
+  const Geometry& mask = erased.geometry();
+  const glm::dvec3 dims(mask.dims);
+  erased.texture().bind(4);
+  program.set("erased", 4);
+  program.set("erasedScale", glm::vec3(volume.spacing / mask.spacing / dims));
+  program.set("erasedOffset", glm::vec3((mask.toIndex(volume.origin) + 0.5) / dims));
+}
+
 // The uniforms of shaders/volume/ray.glsl.
 void setRays(gl::Program& program, const RaycastInput& input, const View& view) {
   const Geometry& g = input.volume.geometry();
@@ -48,6 +58,7 @@ void setRays(gl::Program& program, const RaycastInput& input, const View& view) 
   program.set("stepLength", float(g.minSpacing()));
   input.volume.bricks().bind(1);
   program.set("bricks", 1);
+  if (input.erased && *input.erased) setErased(program, *input.erased, g);
 }
 
 void setValues(gl::Program& program, const RaycastInput& input) {
@@ -76,11 +87,19 @@ glm::ivec2 scaled(glm::ivec2 size, float factor) {
 
 }  // namespace
 
+gl::Program& Raycaster::Caster::programFor(const RaycastInput& input) {
+  const bool erased = input.erased && *input.erased;
+  auto& program = programs[erased];
+  if (!program) {
+    std::vector<std::string> all = defines;
+    if (erased) all.push_back("ERASED");
+    program.emplace(std::vector<std::string>{"common/fullscreen.vert", file}, all);
+  }
+  return *program;
+}
+
 Raycaster::Raycaster()
-    : surfaceProgram_({"common/fullscreen.vert", "volume/surface.frag"}),
-      shadowProgram_({"common/fullscreen.vert", "volume/surface.frag"}, {"DEPTH_ONLY"}),
-      translucentProgram_({"common/fullscreen.vert", "volume/translucent.frag"}),
-      finishProgram_({"common/fullscreen.vert", "volume/finish.frag"}),
+    : finishProgram_({"common/fullscreen.vert", "volume/finish.frag"}),
       surface_(surfaceBuffer()),
       shadow_(shadowBuffer()),
       translucent_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .filter = gl::Filter::linear}),
@@ -108,11 +127,12 @@ void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target)
   shadow_.clear({});
   if (input.volume.floats()) {
     castShadow(input, lightView);
-    setRays(surfaceProgram_, input, viewOf(input.camera, aspect));
-    setValues(surfaceProgram_, input);
-    surfaceProgram_.set("depthTerms", depthTerms(projection));
+    gl::Program& program = surfaceCaster_.programFor(input);
+    setRays(program, input, viewOf(input.camera, aspect));
+    setValues(program, input);
+    program.set("depthTerms", depthTerms(projection));
     surface_.bind();
-    surfaceProgram_.use();
+    program.use();
     gl::drawFullScreen(gl::DepthWrite::on);
   }
   if (coarse) small_.fit(size);
@@ -130,11 +150,12 @@ void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target)
 }
 
 void Raycaster::castShadow(const RaycastInput& input, const LightView& lightView) {
-  setRays(shadowProgram_, input, viewOf(lightView));
-  setValues(shadowProgram_, input);
-  shadowProgram_.set("depthTerms", glm::vec2(0.5f / lightView.radius, 0));
+  gl::Program& program = shadowCaster_.programFor(input);
+  setRays(program, input, viewOf(lightView));
+  setValues(program, input);
+  program.set("depthTerms", glm::vec2(0.5f / lightView.radius, 0));
   shadow_.bind();
-  shadowProgram_.use();
+  program.use();
   gl::drawFullScreen(gl::DepthWrite::on);
 }
 
@@ -153,7 +174,7 @@ void Raycaster::drawTranslucent(const RaycastInput& input, const gl::Target& tar
 void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
   const Geometry& g = input.volume.geometry();
   updateLight(input);
-  auto& program = translucentProgram_;
+  gl::Program& program = translucentCaster_.programFor(input);
   setRays(program, input, viewOf(input.camera, aspect));
   setLights(program, input.lighting);
   input.volume.shades().bind(0);

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "core/base/hash.h"
 #include "render/camera.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "render/gpu_mask.h"
 #include "render/gpu_volume.h"
 #include "render/lighting.h"
 #include "render/surface_shading.h"
@@ -21,6 +27,7 @@ enum class VolumeLook { surface, translucent };
 //   transfer           (translucent)
 //   gradientReach      voxels to each side for the surface's normal; more is smoother
 //   cropMin, cropMax   the part of the volume that is shown, 0 to 1 along i, j, k
+//   erased             may be null; nothing is there where it is not zero. Of the same part of the world, perhaps finer
 //   raysPerPixel       along one side: below 1 for interaction, 1, or 2 for pictures of surfaces
 //   shadowSize         texels along the shadow map's side (surface)
 struct RaycastInput {
@@ -32,6 +39,7 @@ struct RaycastInput {
   TransferFunction transfer{};
   float gradientReach = 1;
   glm::vec3 cropMin{0}, cropMax{1};
+  const GpuMask* erased = nullptr;
   float raysPerPixel = 1;
   int shadowSize = 384;
 };
@@ -56,7 +64,17 @@ class Raycaster {
   void castTranslucent(const RaycastInput& input, float aspect);
   void updateLight(const RaycastInput& input);
 
-  gl::Program surfaceProgram_, shadowProgram_, translucentProgram_, finishProgram_;
+  // Caster: a program that casts rays, and its variant for a volume of which something is erased.
+  struct Caster {
+    const char* file;
+    std::vector<std::string> defines{};
+    std::array<std::optional<gl::Program>, 2> programs{};  // made when first needed
+    gl::Program& programFor(const RaycastInput& input);
+  };
+
+  Caster surfaceCaster_{"volume/surface.frag"}, shadowCaster_{"volume/surface.frag", {"DEPTH_ONLY"}},
+      translucentCaster_{"volume/translucent.frag"};
+  gl::Program finishProgram_;
   gl::Framebuffer surface_, shadow_, translucent_, small_;
   gl::Texture light_, transfer_;
   Key lightKey_;

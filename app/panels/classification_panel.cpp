@@ -2,17 +2,16 @@
 #include <imgui.h>
 
 #include <array>
-#include <cctype>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
 #include "app/panels/preset_row.h"
 #include "app/theme.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
-#include "core/pipeline/parameter_use.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -21,9 +20,6 @@ using Names = std::vector<std::string_view>;
 
 // The few that a person turns for a scan; the others are set once for a machine, if ever.
 const Names kFirst{"isoValue", "lowPass", "beta"};
-
-// What the panel of the surface shows of the reconstruction's parameters.
-constexpr std::array<std::string_view, 1> kOnSurfacePanel{"smoothness"};
 
 // Block: parameters of the classification that belong together, under "Advanced".
 struct Block {
@@ -41,24 +37,6 @@ Names namedAbove() {
   Names names = kFirst;
   for (const Block& block : kBlocks) names.insert(names.end(), block.names.begin(), block.names.end());
   return names;
-}
-
-void apply(Workspace& workspace, const Parameters& parameters, FieldsEdit edit) {
-  if (edit.changed) workspace.session.edit(parameters);
-  if (edit.finished) workspace.session.commitEdit();
-}
-
-std::string sentence(std::string_view text) {
-  std::string result(text);
-  if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
-  return result;
-}
-
-// Greys the parameters that have no effect beside the others' values, and says why.
-auto useOf(const Parameters& parameters, std::string_view group) {
-  return [&parameters, group](std::string_view field) {
-    return RowText{.unused = std::string(unusedBecause(parameters, group, field))};
-  };
 }
 
 // The words of the first rows.
@@ -105,27 +83,6 @@ FieldsEdit drawAdvanced(Parameters& parameters) {
   return edit;
 }
 
-// The rows of a group under its heading; `below` is drawn after them.
-template <class Options, class Below>
-FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, const Below& below) {
-  const std::string title = sentence(group.name);
-  FieldsEdit edit;
-  if (!foldout(title.c_str(), sentence(group.help).c_str())) return edit;
-  if (beginFields(title.c_str())) {
-    edit = editFields(group.name, options, rows);
-    endFields();
-  }
-  below();
-  ImGui::Dummy({0, 4 * unit()});
-  return edit;
-}
-
-// How far the points were moved from the echo's edge to the skin.
-void drawEchoOffset(const Results& results) {
-  if (results.points && results.echoOffset != 0)
-    ImGui::TextDisabled("Points moved %.2f mm inward, onto the skin", results.echoOffset);
-}
-
 }  // namespace
 
 void drawClassificationPanel(Workspace& workspace) {
@@ -139,27 +96,7 @@ void drawClassificationPanel(Workspace& workspace) {
     endFields();
   }
   edit |= drawAdvanced(parameters);
-  apply(workspace, parameters, edit);
-}
-
-void drawMorePanel(Workspace& workspace) {
-  section("More parameters");
-  Parameters parameters = workspace.session.parameters();
-  FieldsEdit edit;
-  bool simulate = false;
-  groups(
-      [&](const Group& group, auto& options) {
-        if (group.name == "classification") return;  // has a panel of its own
-        Rows rows{{}, false, useOf(parameters, group.name)};
-        if (group.name == "reconstruction") rows = {kOnSurfacePanel, true, rows.text};
-        edit |= drawGroup(group, options, rows, [&] {
-          if (group.name == "surface") drawEchoOffset(workspace.session.results());
-          if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
-        });
-      },
-      parameters);
-  apply(workspace, parameters, edit);
-  if (simulate) workspace.session.openPhantom();
+  applyEdit(workspace, parameters, edit);
 }
 
 }  // namespace sonoskin::ui

@@ -13,12 +13,15 @@ namespace {
 struct MouseLine {
   const char *where, *what, *effect;
 };
-constexpr std::array<MouseLine, 12> kMouse{{
+constexpr std::array<MouseLine, 15> kMouse{{
     {"Slices", "Left button", "move the cross-hair"},
     {"", "Wheel", "next slice"},
     {"", "Ctrl+wheel", "zoom"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right", "window (sideways), level (up and down)"},
+    {"", "Left on a side of the crop box", "move it"},
+    {"Eraser", "Left", "erase a ball"},
+    {"", "Ctrl+left", "bring back"},
     {"3D", "Left", "rotate"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right or wheel", "zoom"},

@@ -9,7 +9,7 @@
 namespace sonoskin::ui {
 namespace {
 
-constexpr std::array<const char*, 5> kMenuTitles{"File", "Edit", "View", "Surface", "Help"};
+constexpr std::array<const char*, 6> kMenuTitles{"File", "Edit", "View", "Region", "Surface", "Help"};
 
 void drawRecent(Workspace& workspace) {
   if (!ImGui::BeginMenu("Open recent", !workspace.settings.recent.empty())) return;

@@ -11,9 +11,11 @@ void drawMenuBar(Workspace& workspace);
 
 // The side panel, from top to bottom.
 void drawVolumePanel(Workspace& workspace);
+void drawRegionPanel(Workspace& workspace);  // eraser and crop box
 void drawClassificationPanel(
     Workspace& workspace);  // preset, the first parameters, the others under "Advanced"
-void drawReconstructionPanel(Workspace& workspace);
+void drawReconstructionPanel(
+    Workspace& workspace);  // smoothness, fit and mesh and print under "Advanced", the button, what was made
 void drawViewPanel(Workspace& workspace);
 void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
 

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <array>
+
 #include "app/commands.h"
 #include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
 #include "app/theme.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
@@ -10,11 +13,6 @@
 
 namespace sonoskin::ui {
 namespace {
-
-std::string sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 // One line that is always there, so that nothing below moves when work begins and ends.
 void drawProgress(Workspace& workspace, const Activity& activity) {
@@ -48,24 +46,50 @@ void drawMeshFacts(const Session& session) {
   }
 }
 
-// How smooth the next surface is: the one parameter of the fit that a person turns.
-void drawSmoothness(Session& session) {
-  static constexpr std::string_view kName = "smoothness";
-  Parameters parameters = session.parameters();
+// The one parameter of the fit that a person turns; the others are under "Advanced".
+constexpr std::array<std::string_view, 1> kFirst{"smoothness"};
+
+// The rows of a group under a small heading.
+template <class Options>
+FieldsEdit drawBlock(const char* title, std::string_view group, Options& options, const Rows& rows) {
+  FieldsEdit edit;
+  ImGui::TextDisabled("%s", title);
+  if (!beginFields(title)) return edit;
+  edit = editFields(group, options, rows);
+  endFields();
+  return edit;
+}
+
+FieldsEdit drawAdvanced(Parameters& p) {
+  FieldsEdit edit;
+  if (!foldout("Advanced##surface",
+               "How the surface is fitted, made of triangles, and prepared for a printer."))
+    return edit;
+  edit |= drawBlock("Fit", "reconstruction", p.reconstruction, {kFirst, true, useOf(p, "reconstruction")});
+  if (p.reconstruction.method == ReconstructionMethod::global)
+    edit |= drawBlock("One function through all points", "global", p.global, {{}, false, useOf(p, "global")});
+  edit |= drawBlock("Mesh", "mesh", p.mesh, {{}, false, useOf(p, "mesh")});
+  edit |= drawBlock("Print", "print", p.print, {{}, false, useOf(p, "print")});
+  ImGui::Dummy({0, 4 * unit()});
+  return edit;
+}
+
+void drawParameters(Workspace& workspace) {
+  Parameters parameters = workspace.session.parameters();
   FieldsEdit edit;
   if (beginFields("smoothness")) {
-    edit = editFields("reconstruction", parameters.reconstruction, {std::span(&kName, 1)});
+    edit = editFields("reconstruction", parameters.reconstruction, {kFirst});
     endFields();
   }
-  if (edit.changed) session.edit(parameters);
-  if (edit.finished) session.commitEdit();
+  edit |= drawAdvanced(parameters);
+  applyEdit(workspace, parameters, edit);
 }
 
 }  // namespace
 
 void drawReconstructionPanel(Workspace& workspace) {
   section("Surface");
-  drawSmoothness(workspace.session);
+  drawParameters(workspace);
   const Activity activity = workspace.session.activity();
   const Command& reconstruct = command("surface.reconstruct");
   if (mainButton(reconstruct.title, isEnabled(reconstruct, workspace) && !activity.blocking)) {

@@ -33,7 +33,9 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
     drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
   }
   endPane();
-  if (pane.doubleClicked) {
+  const bool dabs =
+      workspace.view.erasing && which != Pane::space;  // the eraser's, quickly one after the other
+  if (pane.doubleClicked && !dabs) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();
     } else {

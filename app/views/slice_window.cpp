@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/theme.h"
+#include "core/pipeline/parameter_key.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -48,7 +49,8 @@ Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
   hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
   hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
   hasher.add(nameOf(w.session.scan().volume)).add(nameOf(results.classified)).add(nameOf(results.thinned));
-  hasher.add(marksVoxels(w));
+  hasher.add(marksVoxels(w)).add(v.cropBox).add(w.session.erased().key());
+  addOptions(hasher, w.session.parameters().region);
   return hasher.key();
 }
 
@@ -77,6 +79,11 @@ void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, 
     input.overlayWindow = {0.25f, 0.5f};  // weak voxels are marked as well as strong ones
     input.overlayOpacity = 0.85f;
   }
+  if (w.session.erased().voxels() > 0) {
+    scans.erased.set(w.session.erased().mask(), w.session.erased().key());
+    input.erased = &scans.erased;
+  }
+  if (w.view.cropBox) input.box = boxCorners(w.session.parameters().region, input.frame);
   view.draw(input, window.picture);
 }
 
@@ -162,7 +169,10 @@ void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>&
     paneTitle(pane, nameOf(plane), colourOf(plane), "");
     return;
   }
-  steerSlice(workspace.view, plane, workspace.session.scan().volume->geometry, window.turns, pane);
+  const Geometry& geometry = workspace.session.scan().volume->geometry;
+  const PaneInput rest =
+      useSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
+  steerSlice(workspace.view, plane, geometry, window.turns, rest);
   const glm::ivec2 size = glm::max(glm::ivec2(pane.size), glm::ivec2(1));
   const Key key = pictureKey(workspace, plane, size);
   if (!(key == window.drawn)) {
@@ -173,6 +183,7 @@ void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>&
     window.drawn = key;
   }
   showTexture(pane, window.picture);
+  drawSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
   drawMarks(pane, workspace, plane);
 }
 

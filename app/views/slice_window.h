@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/views/pane.h"
+#include "app/views/slice_tools.h"
 #include "app/views/space_window.h"
 #include "app/workspace.h"
 #include "render/slice_view.h"
@@ -14,6 +15,7 @@ struct SliceWindow {
   gl::Framebuffer picture;
   Key drawn;         // of what the picture shows
   double turns = 0;  // of the wheel, not yet a whole slice
+  SliceTools tools;
 };
 
 // drawSliceWindow: the picture with its marks; turns what the mouse did into cross-hair, pan, zoom and

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "app/crop_box.h"
 #include "app/theme.h"
+#include "app/views/box_lines.h"
 #include "app/widgets/layout.h"
+#include "core/pipeline/parameter_key.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin::ui {
@@ -40,6 +44,8 @@ Key pictureKey(const Workspace& w, glm::ivec2 size) {
     hasher.add(shownLevel(v, w.session.results())).add(v.volumeLayer).add(v.crop);
     hasher.add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
     hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().points.get()));
+    addOptions(hasher, w.session.parameters().region);
+    hasher.add(w.session.scan().erasedKey);  // as the points have it: a stroke is faster than this view
   }
   return hasher.key();
 }
@@ -54,6 +60,20 @@ void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const 
   window.meshView->draw(input, target);
 }
 
+// What the ray-caster shows of a volume, as shares of it: the crop box, and where asked for no more than what lies around
+// the surface.
+std::pair<glm::vec3, glm::vec3> shownPart(const Workspace& w, const Geometry& shown) {
+  const auto box = boxIn(shown, w.session.parameters().region, w.session.scan().volume->geometry);
+  const glm::dvec3 last = glm::max(glm::dvec3(shown.dims - 1), glm::dvec3(1));
+  glm::vec3 least(glm::clamp(box[0] / last, 0.0, 1.0)), most(glm::clamp(box[1] / last, 0.0, 1.0));
+  if (w.view.crop) {
+    const auto around = cropTo(surroundings(w.session.scan(), w.session.results()), shown, kCropMargin);
+    least = glm::max(least, around[0]);
+    most = glm::max(glm::min(most, around[1]), least);
+  }
+  return {least, most};
+}
+
 void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int raysPerPixel,
                 const gl::Target& target) {
   if (!window.raycaster) window.raycaster.emplace();
@@ -65,11 +85,11 @@ void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int ra
   input.look = w.view.volumeStyle == VolumeStyle::surface ? VolumeLook::surface : VolumeLook::translucent;
   input.iso = level;
   input.transfer = amberTransfer(level);
-  if (w.view.crop) {
-    const auto [least, most] =
-        cropTo(surroundings(w.session.scan(), w.session.results()), volume->geometry, kCropMargin);
-    input.cropMin = least;
-    input.cropMax = most;
+  std::tie(input.cropMin, input.cropMax) = shownPart(w, volume->geometry);
+  const ErasedParts& erased = w.session.erased();
+  if (erased.voxels() > 0) {
+    scans.erased.set(erased.mask(), erased.key());
+    input.erased = &scans.erased;
   }
   input.raysPerPixel = static_cast<float>(raysPerPixel);
   window.raycaster->draw(input, target);
@@ -170,7 +190,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   }
   if (steer(workspace.view.camera, pane)) workspace.view.cameraMoved = true;
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
-  const bool moving = pane.button >= 0 || now < window.restsAt;
+  const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
 
   const Key full = pictureKey(workspace, glm::ivec2(pane.size));
   const glm::ivec2 size = pictureSize(window, pane.size, moving);
@@ -182,6 +202,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
     window.drawn = size == glm::ivec2(pane.size) ? inFull : wanted;
   }
   showTexture(pane, window.picture);
+  if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   paneTitle(pane, "3D", kSurface, caption(workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));

@@ -6,6 +6,7 @@
 #include "app/workspace.h"
 #include "core/io/image.h"
 #include "render/gl/gpu_timer.h"
+#include "render/gpu_mask.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_volume.h"
 #include "render/mesh_view.h"
@@ -16,6 +17,7 @@ namespace sonoskin::ui {
 // GpuScans: the copies on the GPU that several views share; each is uploaded when a view first shows it.
 struct GpuScans {
   GpuVolume raw, classified, thinned;
+  GpuMask erased;
 };
 
 // SpaceWindow: the 3D view. It keeps its picture and draws a new one only when what it shows has changed:

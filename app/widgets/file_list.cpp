@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 10> kVolumes{".nrrd",   ".nhdr", ".mha", ".mhd", ".nii",
                                                ".nii.gz", ".vtk",  ".dcm", ".vol", ".dat"};
+constexpr std::array<const char*, 3> kWrittenVolumes{".nrrd", ".mha", ".nii.gz"};
 constexpr std::array<const char*, 5> kMeshes{".ply", ".stl", ".obj", ".glb", ".3mf"};
 constexpr std::array<const char*, 1> kPictures{".png"};
 constexpr std::array<const char*, 1> kRecipes{".json"};
@@ -26,6 +27,10 @@ FilePurposeText purposeText(FilePurpose purpose) {
   switch (purpose) {
     case FilePurpose::openVolume:
       return {"Open volume", "Open", false, kVolumes};
+    case FilePurpose::openErased:
+      return {"Open erased parts", "Open", false, kVolumes};
+    case FilePurpose::saveErased:
+      return {"Save erased parts", "Save", true, kWrittenVolumes};
     case FilePurpose::openRecipe:
       return {"Open recipe", "Open", false, kRecipes};
     case FilePurpose::saveRecipe:

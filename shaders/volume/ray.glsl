@@ -1,5 +1,5 @@
 // The ray of a pixel through a volume. Positions are voxel indices (a voxel's centre is at whole numbers); t is the
-// depth along the view's middle in mm, so rays of a perspective are not of unit length.
+// depth along the view's middle in mm, so rays of a perspective are not of unit length. Variant: ERASED.
 uniform float perspective;                 // 1: rays meet at the eye; 0: they are parallel (a far light's view)
 uniform vec3 eyeIndex;                     // the eye, in voxel indices
 uniform vec3 rayCentre, rayRight, rayUp;   // voxel indices: the middle per mm, and what the edges add
@@ -8,6 +8,11 @@ uniform ivec3 dims;
 uniform vec3 boxMin, boxMax;               // the part that is shown, in voxel indices
 uniform float stepLength;                  // mm along the ray
 uniform sampler3D bricks;
+
+#ifdef ERASED
+uniform sampler3D erased;                  // bytes: 0 or not
+uniform vec3 erasedScale, erasedOffset;    // from voxel indices to places in it
+#endif
 
 const float brickSide = 8.0;
 
@@ -33,6 +38,14 @@ Ray makeRay(vec2 uv) {
   ray.from = max(max(enter.x, max(enter.y, enter.z)), 0.0);
   ray.to = min(leave.x, min(leave.y, leave.z));
   return ray;
+}
+
+bool isErased(vec3 index) {
+#ifdef ERASED
+  return 255.0 * texture(erased, index * erasedScale + erasedOffset).r > 0.5;
+#else
+  return false;
+#endif
 }
 
 float brickMaximum(vec3 index) { return texelFetch(bricks, ivec3(index / brickSide), 0).r; }

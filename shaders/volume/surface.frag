@@ -15,7 +15,7 @@ uniform vec2 depthTerms;        // perspective: depth = depthTerms.y - depthTerm
 layout(location = 0) out vec4 surface;
 #endif
 
-float valueAt(vec3 index) { return texture(values, (index + 0.5) / vec3(dims)).r; }
+float valueAt(vec3 index) { return isErased(index) ? 0.0 : texture(values, (index + 0.5) / vec3(dims)).r; }
 
 // The first t at which the value reaches iso, or a negative number.
 float firstHit(Ray ray) {

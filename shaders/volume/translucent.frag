@@ -30,6 +30,7 @@ void main() {
     } else {
       vec3 place = (index + 0.5) * scale;
       vec4 shade = texture(shades, place);
+      if (isErased(index)) shade.w = 0.0;
       vec4 look = texture(transfer, vec2(shade.w * (255.0 / 256.0) + 0.5 / 256.0, 0.5));
       float opacity = 1.0 - exp2(stepOpacity * log2(1.0 - look.a));
       vec3 gradient = 2.0 * shade.xyz - 256.0 / 255.0;

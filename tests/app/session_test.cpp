@@ -137,6 +137,112 @@ TEST(Session, TheSurfaceFollowsTheParametersOnceThereIsOne) {
   EXPECT_TRUE(session.meshIsCurrent());
 }
 
+// The middle of the points, and a ball around it.
+Brush ballOnTheSurface(const Session& session) {
+  const auto& positions = session.results().points->positions;
+  const glm::dvec3 at(positions[positions.size() / 2]);
+  return {at, at, 12, true};
+}
+
+TEST(Session, AStrokeTakesPointsAwayAndUndoBringsThemBack) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  const auto classified = session.results().classified;
+  const auto whole = session.results().points;
+  ASSERT_GT(whole->size(), 100u);
+  const Brush ball = ballOnTheSurface(session);
+  session.erase(ball);
+  EXPECT_FALSE(session.canUndo()) << "the stroke goes on";
+  session.commitEdit();
+  ASSERT_TRUE(session.canUndo());
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.results().classified, classified) << "not computed again";
+  EXPECT_LT(session.results().points->size(), whole->size());
+  for (const glm::vec3& p : session.results().points->positions)
+    EXPECT_GT(glm::distance(glm::dvec3(p), ball.to), 8);  // they were moved onto the skin
+
+  // Strokes and parameters are undone in the order in which they were made.
+  Parameters cut = session.parameters();
+  cut.region.cutLow[0] = 20;
+  session.edit(cut);
+  session.commitEdit();
+  session.undo();
+  EXPECT_EQ(session.parameters().region.cutLow[0], 0);
+  EXPECT_GT(session.erased().voxels(), 0u);
+  session.undo();
+  EXPECT_EQ(session.erased().voxels(), 0u);
+  EXPECT_FALSE(session.canUndo());
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.results().points->positions, whole->positions);
+  session.redo();
+  session.redo();
+  EXPECT_GT(session.erased().voxels(), 0u);
+  EXPECT_EQ(session.parameters().region.cutLow[0], 20);
+}
+
+TEST(Session, AMeshIsOlderThanAStroke) {
+  Parameters small = tinyPhantom();
+  small.mesh.resolution = 60;
+  small.surface.minClusterArea = 20;
+  Session session(small);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.meshIsCurrent());
+  session.erase(ballOnTheSurface(session));
+  session.commitEdit();
+  EXPECT_FALSE(session.meshIsCurrent());
+  session.undo();
+  EXPECT_TRUE(session.meshIsCurrent());
+}
+
+TEST(Session, ErasedPartsAreSavedAndOpenedAgain) {
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.erased.nrrd";
+  Session session(tinyPhantom());
+  EXPECT_THROW(session.saveErased(file), Error);
+  EXPECT_THROW(session.loadErased(file), Error);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.erase(ballOnTheSurface(session));
+  session.commitEdit();
+  const auto mask = session.erased().mask().data;
+  session.saveErased(file);
+  ASSERT_TRUE(wait(session));
+  session.clearErased();
+  EXPECT_EQ(session.erased().voxels(), 0u);
+  session.loadErased(file);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.erased().mask().data, mask);
+  session.undo();
+  EXPECT_EQ(session.erased().voxels(), 0u);
+
+  session.loadErased("/nowhere/at/all.nrrd");
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.takeMessages().back().kind, Message::Kind::failure);
+  fs::remove(file);
+}
+
+// Both belong to their volume.
+TEST(Session, AnotherVolumeHasNoCropBoxAndNothingErased) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.erase(ballOnTheSurface(session));
+  Parameters cut = session.parameters();
+  cut.region.cutLow[0] = 20;
+  cut.phantom.dims = {60, 43, 31};
+  session.edit(cut);
+  session.commitEdit();
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.erased().voxels(), 0u);
+  EXPECT_EQ(session.parameters().region.cutLow[0], 0);
+  EXPECT_EQ(session.parameters().phantom.dims, (std::array<int, 3>{60, 43, 31}));
+  EXPECT_FALSE(session.canUndo());
+}
+
 TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {
   Session session(tinyPhantom());
   EXPECT_THROW(session.saveMesh("nothing.ply"), Error);

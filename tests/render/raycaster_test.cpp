@@ -123,6 +123,46 @@ TEST_F(RaycasterTest, CroppingCutsTheBallOpen) {
   EXPECT_LT(surfaces[middle + 3], 0);
 }
 
+// What is erased is not there: the ball's front is gone up to a plane through its middle. The mask is coarser than the
+// volume, as a volume may be coarser than a mask.
+TEST_F(RaycasterTest, ErasedPartsAreNotSeen) {
+  cast();
+  const std::size_t middle = std::size_t(kSize.y / 2 * kSize.x + kSize.x / 2);
+  const auto distance = [&] {
+    const float depth = gl::readFloats(raycaster_.surface().depth(), 1)[middle];
+    const glm::mat4 projection = camera_.projection(4.0f / 3, worldBox(volume_.geometry()));
+    return double(projection[3][2] / (2 * depth - 1 + projection[2][2]));
+  };
+  EXPECT_NEAR(distance(), double(camera_.distance) - kRadius, 0.3);
+  Geometry coarse = volume_.geometry();
+  coarse.dims = coarse.dims / 2;
+  coarse.spacing *= 2.0;
+  coarse.origin = volume_.geometry().toWorld(glm::dvec3(0.5));
+  Volume<std::uint8_t> mask(coarse);
+  for (int k = 0; k < coarse.dims.z; ++k)
+    for (int j = 0; j < coarse.dims.y; ++j)
+      for (int i = 0; i < coarse.dims.x; ++i)
+        mask.at(i, j, k) = glm::dot(coarse.toWorld({i, j, k}) - kCentre, glm::dvec3(camera_.forward)) < 0;
+  GpuMask erased;
+  erased.set(mask, Hasher("front").key());
+  RaycastInput input{.volume = volume_, .camera = camera_, .lighting = portraitLighting(camera_)};
+  input.erased = &erased;
+  raycaster_.draw(input, target_);
+  EXPECT_NEAR(distance(), double(camera_.distance), 1.2);
+
+  // The translucent look too: nothing at all is left when everything is erased.
+  std::fill(mask.data.begin(), mask.data.end(), std::uint8_t(1));
+  erased.set(mask, Hasher("all").key());
+  input.look = VolumeLook::translucent;
+  input.transfer = amberTransfer(0.5f);
+  raycaster_.draw(input, target_);
+  const auto colours = gl::readFloats(raycaster_.translucent().colour(), 4);
+  EXPECT_EQ(colours[4 * middle + 3], 0);
+  input.erased = nullptr;
+  raycaster_.draw(input, target_);
+  EXPECT_GT(gl::readFloats(raycaster_.translucent().colour(), 4)[4 * middle + 3], 0.5f);
+}
+
 TEST_F(RaycasterTest, FogHasTheOpacityOfItsThickness) {
   Geometry g;
   g.dims = glm::ivec3(40);

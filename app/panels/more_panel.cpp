@@ -1,0 +1,60 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+
+namespace sonoskin::ui {
+namespace {
+
+// The groups that have a panel of their own, or a place on one.
+constexpr std::array<std::string_view, 6> kElsewhere{"classification", "region", "reconstruction",
+                                                     "global",         "mesh",   "print"};
+
+// The rows of a group under its heading; `below` is drawn after them.
+template <class Options, class Below>
+FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, const Below& below) {
+  const std::string title = sentence(group.name);
+  FieldsEdit edit;
+  if (!foldout(title.c_str(), sentence(group.help).c_str())) return edit;
+  if (beginFields(title.c_str())) {
+    edit = editFields(group.name, options, rows);
+    endFields();
+  }
+  below();
+  ImGui::Dummy({0, 4 * unit()});
+  return edit;
+}
+
+// How far the points were moved from the echo's edge to the skin.
+void drawEchoOffset(const Results& results) {
+  if (results.points && results.echoOffset != 0)
+    ImGui::TextDisabled("Points moved %.2f mm inward, onto the skin", results.echoOffset);
+}
+
+}  // namespace
+
+void drawMorePanel(Workspace& workspace) {
+  section("More parameters");
+  Parameters parameters = workspace.session.parameters();
+  FieldsEdit edit;
+  bool simulate = false;
+  groups(
+      [&](const Group& group, auto& options) {
+        if (std::find(kElsewhere.begin(), kElsewhere.end(), group.name) != kElsewhere.end()) return;
+        const Rows rows{{}, false, useOf(parameters, group.name)};
+        edit |= drawGroup(group, options, rows, [&] {
+          if (group.name == "surface") drawEchoOffset(workspace.session.results());
+          if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
+        });
+      },
+      parameters);
+  applyEdit(workspace, parameters, edit);
+  if (simulate) workspace.session.openPhantom();
+}
+
+}  // namespace sonoskin::ui

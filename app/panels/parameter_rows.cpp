@@ -1,0 +1,26 @@
+#include "app/panels/parameter_rows.h"
+
+#include <cctype>
+
+#include "core/pipeline/parameter_use.h"
+
+namespace sonoskin::ui {
+
+void applyEdit(Workspace& workspace, const Parameters& parameters, FieldsEdit edit) {
+  if (edit.changed) workspace.session.edit(parameters);
+  if (edit.finished) workspace.session.commitEdit();
+}
+
+std::string sentence(std::string_view text) {
+  std::string result(text);
+  if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+  return result;
+}
+
+std::function<RowText(std::string_view field)> useOf(const Parameters& parameters, std::string_view group) {
+  return [&parameters, group](std::string_view field) {
+    return RowText{.unused = std::string(unusedBecause(parameters, group, field))};
+  };
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,118 @@
+// The session's files: opening and saving, in the background.
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "app/session.h"
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/volume_reader.h"
+#include "core/io/volume_writer.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/recipe.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+
+// ---- opening
+
+void Session::open(const std::string& label, const std::string& name,
+                   std::function<Scan(const Progress&)> make) {
+  const auto made = std::make_shared<Scan>();
+  opener_.replace({label,
+                   [made, make = std::move(make)](const Progress& progress) { *made = make(progress); },
+                   [this, made, name] { adopt(std::move(*made), name); }});
+}
+
+void Session::openFile(const fs::path& path) {
+  const std::string name = path.filename().string();
+  open("Opening " + name, name, [path](const Progress& progress) { return readScan(path, progress); });
+}
+
+void Session::openPhantom() {
+  open("Simulating the phantom", "Phantom", [options = parameters_.phantom](const Progress& progress) {
+    return makePhantomScan(options, progress);
+  });
+}
+
+void Session::setSpacing(const glm::dvec3& spacing) {
+  open("Setting the spacing", name_, [scan = scan_, spacing](const Progress&) {
+    auto volume = std::make_shared<Volume<float>>(*scan.volume);
+    volume->geometry.spacing = spacing;
+    Scan changed = scan;
+    changed.key = scanKey(*volume, scan.beam);
+    changed.volume = std::move(volume);
+    changed.spacingKnown = true;
+    return changed;
+  });
+}
+
+void Session::loadRecipe(const fs::path& path) {
+  std::ifstream file(path);
+  const std::string json{std::istreambuf_iterator<char>(file), {}};
+  require(bool(file), "cannot read {}; check its name and its rights", path.string());
+  Parameters read = parameters_;
+  readRecipe(json, read);
+  show(read);
+  commitEdit();
+}
+
+void Session::loadErased(const fs::path& path) {
+  require(hasScan(), "open the volume first, then what was erased of it");
+  const auto read = std::make_shared<Scan>(scan_);
+  opener_.replace({"Opening " + path.filename().string(),
+                   [read, path](const Progress& progress) { setErased(*read, readScan(path, progress)); },
+                   [this, read] {
+                     erased_.become(*read->erased);
+                     show(parameters_);
+                     commitEdit();
+                   }});
+}
+
+void Session::saveErased(const fs::path& path) {
+  require(erased_.voxels() > 0, "nothing is erased, so there is nothing to save");
+  saveAlone(path, [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
+    writeVolume(path, *mask, beam, progress);
+  });
+}
+
+// ---- saving
+
+void Session::saveAlone(const fs::path& path, std::function<void(const Progress&)> write) {
+  saver_.append({"Saving " + path.filename().string(), std::move(write),
+                 [this, path] { report(Message::Kind::note, "Saved " + path.string()); }});
+}
+
+void Session::save(const fs::path& path, std::function<void(const Progress&)> write) {
+  const std::string recipe = writeRecipe(parameters_, scan_.key);
+  saveAlone(path, [path, recipe, write = std::move(write)](const Progress& progress) {
+    write(progress);
+    const fs::path beside = fs::path(path).replace_extension(".recipe.json");
+    writeBytes(beside, recipe.data(), recipe.size());
+  });
+}
+
+std::string Session::proposedName(const std::string& ending) const {
+  const std::string stem = name_.substr(0, name_.find('.'));
+  return (stem.empty() ? "sonoskin" : stem) + ending;
+}
+
+void Session::saveMesh(const fs::path& path) {
+  require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
+  save(path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); });
+}
+
+void Session::savePicture(const fs::path& path, Image image) {
+  const auto picture = std::make_shared<Image>(std::move(image));
+  save(path, [path, picture](const Progress&) { writePng(path, *picture); });
+}
+
+void Session::saveRecipe(const fs::path& path) {
+  saveAlone(path, [path, recipe = writeRecipe(parameters_, scan_.key)](const Progress&) {
+    writeBytes(path, recipe.data(), recipe.size());
+  });
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/volume/volume.h"
+
+namespace sonoskin {
+
+// VoxelRun: voxels one after the other in memory.
+struct VoxelRun {
+  std::size_t first = 0, count = 0;
+};
+using VoxelRuns = std::vector<VoxelRun>;
+
+// Brush: a ball that is moved along a straight line. World mm.
+//   radius  > 0; the voxel nearest to `to` is always part of it
+//   mark    what the voxels become: erased, or brought back
+struct Brush {
+  glm::dvec3 from{0}, to{0};
+  double radius = 5;
+  bool mark = true;
+};
+
+// paint: marks the voxels whose centres lie within the radius of the line.
+//   mask    not zero: marked
+//   output  the voxels that changed, each once; a brush beside the volume changes none
+//   cost    the voxels of the line's box
+VoxelRuns paint(Volume<std::uint8_t>& mask, const Brush& brush);
+
+// toggle: marked voxels of the runs are cleared, the others marked: what undoes a stroke, and does it again.
+void toggle(Volume<std::uint8_t>& mask, const VoxelRuns& runs);
+
+// differences: the voxels that are marked in one of two masks of the same dimensions alone.
+VoxelRuns differences(const Volume<std::uint8_t>& a, const Volume<std::uint8_t>& b);
+
+}  // namespace sonoskin

@@ -1,0 +1,119 @@
+// The panels of parameters, one below the other, without a window and without OpenGL.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "app/panels/panels.h"
+#include "app/theme.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+class SidePanel : public testing::Test {
+ protected:
+  void SetUp() override {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {400, 6000};
+    io.DeltaTime = 1.0f / 60;
+    io.UserData = &rects;
+    loadFonts(1);
+    applyTheme(1);
+    unsigned char* pixels;
+    int width, height;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    frames(2);
+  }
+  void TearDown() override { ImGui::DestroyContext(); }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      rects.byName.clear();
+      ImGui::NewFrame();
+      ImGui::SetNextWindowPos({0, 0});
+      ImGui::SetNextWindowSize({400, 6000});
+      ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+      drawRegionPanel(workspace);
+      drawClassificationPanel(workspace);
+      drawReconstructionPanel(workspace);
+      drawMorePanel(workspace);
+      ImGui::End();
+      ImGui::Render();
+    }
+  }
+  void click(const std::string& name) {
+    const auto found = rects.byName.find(name);
+    ASSERT_NE(found, rects.byName.end()) << name;
+    const auto& [min, max] = found->second;
+    ImGui::GetIO().MousePos = {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)};
+    frames(2);
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      frames(2);
+    }
+  }
+  void openAll() {
+    std::vector<std::string> names;
+    for (const auto& [name, rect] : rects.byName)
+      if (name.starts_with("foldout.") && name != "foldout.Crop box") names.push_back(name);
+    for (const std::string& name : names) click(name);
+  }
+  // rows: how many parameters of the group are there, of how many.
+  std::pair<int, int> rows(std::string_view group) const {
+    int there = 0, all = 0;
+    forEachField(
+        [&](const Group& g, const Field& field, auto&, auto...) {
+          if (g.name != group) return;
+          ++all;
+          there += rects.byName.contains(std::string(group) + "." + std::string(field.name));
+        },
+        parameters);
+    return {there, all};
+  }
+
+  WidgetRects rects;
+  Workspace workspace{Parameters{}};
+  const Parameters parameters{};
+};
+
+TEST_F(SidePanel, ShowsFewParametersAtFirst) {
+  EXPECT_TRUE(rects.byName.contains("reconstruction.smoothness"));
+  EXPECT_EQ(rows("reconstruction").first, 1);
+  for (const char* group : {"mesh", "print", "surface", "scan", "global"}) EXPECT_EQ(rows(group).first, 0);
+}
+
+TEST_F(SidePanel, HasARowForEveryParameter) {
+  openAll();
+  for (const char* group :
+       {"phantom", "scan", "enhancement", "classification", "surface", "reconstruction", "mesh", "print"})
+    EXPECT_EQ(rows(group).first, rows(group).second) << group;
+  EXPECT_EQ(rows("global").first, 0) << "only for the global method";
+  Parameters global;
+  global.reconstruction.method = ReconstructionMethod::global;
+  workspace.session.edit(global);
+  frames(2);
+  EXPECT_EQ(rows("global").first, rows("global").second);
+}
+
+// Two headings are called "Advanced": each opens its own.
+TEST_F(SidePanel, HeadingsOfTheSameNameOpenOneAtATime) {
+  click("foldout.Advanced##surface");
+  EXPECT_EQ(rows("mesh").first, rows("mesh").second);
+  EXPECT_LT(rows("classification").first, rows("classification").second);
+}
+
+// The same heading twice would be two lists of the same parameters.
+TEST_F(SidePanel, NoGroupIsListedTwice) {
+  for (const char* heading : {"foldout.Reconstruction", "foldout.Mesh", "foldout.Print", "foldout.Global",
+                              "foldout.Classification", "foldout.Region"})
+    EXPECT_FALSE(rects.byName.contains(heading)) << heading;
+  for (const char* heading : {"foldout.Scan", "foldout.Surface", "foldout.Phantom"})
+    EXPECT_TRUE(rects.byName.contains(heading)) << heading;
+}
+
+}  // namespace
+}  // namespace sonoskin::ui
