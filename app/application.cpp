@@ -172,6 +172,8 @@ void Application::act(const ui::FileChoice& choice) {
       return session.saveRecipe(choice.path);
     case ui::FilePurpose::saveMesh:
       return session.saveMesh(choice.path);
+    case ui::FilePurpose::savePrint:
+      return session.savePrint(choice.path);
     case ui::FilePurpose::savePicture:
       return session.savePicture(choice.path,
                                  ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}));

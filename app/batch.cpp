@@ -1,5 +1,7 @@
 #include "app/batch.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
@@ -15,7 +17,7 @@ namespace sonoskin {
 namespace {
 
 // Shares of the whole time, measured on the phantom at full size.
-constexpr double kLoaded = 0.3, kComputed = 0.8, kDrawn = 0.95;
+constexpr double kLoaded = 0.3, kComputed = 0.75, kChecked = 0.8, kDrawn = 0.95;
 
 // BatchRun: what the steps of one run share.
 struct BatchRun {
@@ -65,9 +67,17 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.globalError = results.globalError;
   run.report.globalErrorWithWeights = results.globalErrorWithWeights;
   run.report.pieces = results.pieces->size();
-  run.report.triangles = results.mesh->triangles.size();
-  run.report.area = surfaceArea(*results.mesh);
   return results;
+}
+
+// What can be said of the meshes before they are printed.
+void checkMeshes(BatchRun& run, const Results& results) {
+  run.stage("checks", [&] {
+    const Progress progress = run.progress.part(kComputed, kChecked);
+    run.report.mesh = measureMesh(*results.mesh, progress.part(0, 0.5));
+    if (results.print) run.report.print = measureMesh(*results.print, progress.part(0.5, 1));
+    return std::size_t(0);
+  });
 }
 
 void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
@@ -80,7 +90,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     VolumePictureOptions look;
     look.iso = float(results.visibleLevel);
     look.crop = boxAround(*results.mesh);
-    const Progress progress = run.progress.part(kComputed, kDrawn);
+    const Progress progress = run.progress.part(kChecked, kDrawn);
     writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, frame));
     progress.update(0.25);
     writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, frame));
@@ -108,7 +118,10 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
   const BatchOptions& options = run.options;
   const Progress progress = run.progress.part(kDrawn, 1);
   for (const std::string& format : options.meshFormats)
-    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.3));
+    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.2));
+  if (results.print) writeMesh(run.file("print.stl"), *results.print, progress.part(0.2, 0.25));
+  if (results.print && std::ranges::count(options.meshFormats, "3mf") > 0)
+    writeMesh(run.file("print.3mf"), *results.print, progress.part(0.25, 0.3));
   if (options.input.volume == kPhantomInput)
     writeMesh(run.file("truth.ply"), makePhantomTruth(options.parameters.phantom, progress.part(0.3, 0.7)));
   if (options.keepClassified)
@@ -133,6 +146,7 @@ Report runBatch(const BatchOptions& options, const Progress& progress,
 
   const Scan scan = load(run);
   const Results results = compute(run, scan);
+  checkMeshes(run, results);
   drawPictures(run, scan, results);
   run.stage("files", [&] { return writeFiles(run, scan, results); });
 

@@ -26,7 +26,7 @@ struct BatchOptions {
 
 // runBatch: the whole way from a volume to a folder with mesh.<format>, skin.png, mesh.png, volume.png,
 // slices.png, recipe.json and report.json; of the phantom truth.ply too; classified.nrrd, thinned.nrrd,
-// points.ply on request.
+// points.ply on request; print.stl (and print.3mf with that format) if print.form is not none.
 //   stageBegins  called with a word for people as each stage starts
 //   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the
 //                results of earlier runs in it are as before then.

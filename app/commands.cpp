@@ -80,6 +80,8 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::saveRecipe, w.settings.folder, "sonoskin.recipe.json"); }},
   {"file.saveMesh", "Save mesh...", Menu::file, control(GLFW_KEY_S),
    [](W& w) { w.files.ask(ui::FilePurpose::saveMesh, w.settings.folder, w.session.proposedName(".ply")); }, hasMesh, nullptr, true},
+  {"file.savePrint", "Save for printing...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::savePrint, w.settings.folder, w.session.proposedName(".stl")); }, hasMesh},
   {"file.savePicture", "Save picture...", Menu::file, key(GLFW_KEY_F12),
    [](W& w) { w.files.ask(ui::FilePurpose::savePicture, w.settings.folder, w.session.proposedName(".png")); }, hasScan},
   {"file.openErased", "Open erased parts...", Menu::file, {},

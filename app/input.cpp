@@ -1,9 +1,11 @@
 #include "app/input.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <vector>
 
+#include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 
@@ -22,6 +24,12 @@ std::string inputName(const std::string& input) {
   const std::filesystem::path path = std::filesystem::path(input).lexically_normal();
   // A folder of a DICOM series may end in a slash; its name is the part before.
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+}
+
+bool isMeshFile(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return std::ranges::count(meshExtensions(), extension) > 0;
 }
 
 Box boxAround(const Mesh& mesh) {

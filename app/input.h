@@ -27,6 +27,9 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
 // inputName: what a report may say of an input: the file's name without its folders.
 std::string inputName(const std::string& input);
 
+// isMeshFile: whether a file's ending is that of a mesh.
+bool isMeshFile(const std::string& file);
+
 // boxAround: the box of a surface and a little more: what a ray-cast shows of the volume, so that the wall of the uterus
 // between probe and face is not in the way.
 Box boxAround(const Mesh& mesh);

@@ -6,9 +6,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/mesh_text.h"
 #include "core/base/version.h"
 
 namespace sonoskin {
+
+namespace {
+
+std::string printText(const MeshFacts& print) {
+  return fmt::format(
+      "the solid to print has {} triangles and {:.1f} cm3: {}\n", print.triangles, print.volume / 1000,
+      print.printable() ? "closed, manifold, nothing crosses"
+                        : fmt::format("not clean, {} pairs of triangles cross", print.selfIntersections));
+}
+
+}  // namespace
 
 std::string reportJson(const Report& report) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
@@ -29,8 +41,10 @@ std::string reportJson(const Report& report) {
   json["global_error"] = report.globalError;
   if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
   json["pieces"] = report.pieces;
-  json["triangles"] = report.triangles;
-  json["area_mm2"] = report.area;
+  json["triangles"] = report.mesh.triangles;
+  json["area_mm2"] = report.mesh.area;
+  json["mesh"] = nlohmann::ordered_json::parse(factsJson(report.mesh));
+  if (report.print) json["print"] = nlohmann::ordered_json::parse(factsJson(*report.print));
   json["seconds"] = report.seconds;
   json["peak_memory_bytes"] = report.peakMemory;
   json["threads"] = report.threads;
@@ -44,7 +58,9 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
                                  fmt::join(report.dims, " x "), fmt::join(report.spacing, " x "),
                                  report.spacingKnown ? "" : " (assumed: the file gives no spacing)");
   text += fmt::format("{} points, {} centres, {} pieces; the mesh has {} triangles and {:.1f} cm2\n",
-                      report.points, report.centres, report.pieces, report.triangles, report.area / 100);
+                      report.points, report.centres, report.pieces, report.mesh.triangles,
+                      report.mesh.area / 100);
+  if (report.print) text += printText(*report.print);
   if (report.echoOffset != 0)
     text += fmt::format("the points were moved {:.2f} mm inward, from the echo's edge to the skin\n",
                         report.echoOffset);

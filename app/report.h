@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/mesh_facts.h"
 #include "core/pipeline/pipeline.h"
 
 namespace sonoskin {
@@ -18,11 +19,12 @@ struct Report {
   bool spacingKnown = true;
   double isoValue = 0;
   std::vector<StageReport> stages;
-  std::size_t points = 0, centres = 0, pieces = 0, triangles = 0;
-  double globalError = 0;  // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
+  std::size_t points = 0, centres = 0, pieces = 0;
+  MeshFacts mesh;
+  std::optional<MeshFacts> print;  // where there is a solid
+  double globalError = 0;          // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;
   double echoOffset = 0;       // mm that the points were moved inward
-  double area = 0;             // mm^2
   double seconds = 0;          // wall time of everything
   std::size_t peakMemory = 0;  // bytes
   int threads = 0;

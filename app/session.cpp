@@ -124,7 +124,9 @@ void Session::submit(Goal goal) {
   requestKey_ = currentMeshKey();
   scan_.erased = erased_.snapshot();
   scan_.erasedKey = erased_.key();
-  runner_.submit({scan_, parameters_, goal, goal == Goal::classified});
+  Parameters wanted = parameters_;
+  wanted.print.form = PrintForm::none;  // a solid is made when it is saved
+  runner_.submit({scan_, wanted, goal, goal == Goal::classified});
 }
 
 void Session::reconstruct() { submit(Goal::mesh); }

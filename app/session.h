@@ -83,6 +83,8 @@ class Session {
 
   // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json").
   void saveMesh(const std::filesystem::path& path);
+  // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
+  void savePrint(const std::filesystem::path& path);
   void savePicture(const std::filesystem::path& path, Image image);
   void saveRecipe(const std::filesystem::path& path);
   // proposedName: the scan's name with another ending.

@@ -10,6 +10,7 @@
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
+#include "core/mesh/print_solid.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/recipe.h"
 
@@ -102,6 +103,15 @@ std::string Session::proposedName(const std::string& ending) const {
 void Session::saveMesh(const fs::path& path) {
   require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
   save(path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); });
+}
+
+void Session::savePrint(const fs::path& path) {
+  require(results_.mesh != nullptr, "there is no surface to print yet; reconstruct it first");
+  PrintOptions options = parameters_.print;
+  if (options.form == PrintForm::none) options.form = PrintForm::shell;
+  save(path, [path, options, mesh = results_.mesh](const Progress& progress) {
+    writeMesh(path, makePrintSolid(*mesh, options, progress.part(0, 0.9)), progress.part(0.9, 1));
+  });
 }
 
 void Session::savePicture(const fs::path& path, Image image) {

@@ -5,6 +5,8 @@
 
 #include "app/cli/commands.h"
 #include "app/input.h"
+#include "app/mesh_text.h"
+#include "core/io/mesh_reader.h"
 #include "core/io/volume_reader.h"
 
 namespace sonoskin {
@@ -57,18 +59,37 @@ std::string infoText(const std::string& name, const VolumeInfo& info) {
   return text;
 }
 
+void printMesh(const std::string& file, Console& console) {
+  console.beginStage("reading");
+  const Mesh mesh = readMesh(file, console.progress().part(0, 0.3));
+  console.beginStage("checking");
+  const MeshFacts facts = measureMesh(mesh, console.progress().part(0.3, 1));
+  nlohmann::ordered_json json;
+  json["file"] = inputName(file);
+  json.update(nlohmann::ordered_json::parse(factsJson(facts)));
+  console.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
+                inputName(file) + ":\n" + factsText(facts));
+}
+
+void printVolume(const std::string& file, Console& console) {
+  const VolumeInfo info = readVolumeInfo(file, console.progress());
+  const std::string name = inputName(file);
+  console.print(infoJson(name, info), infoText(name, info));
+}
+
 }  // namespace
 
 Command addInfoCommand(CLI::App& program, Console& console) {
   auto file = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("info", "what is in a volume file, without patient data");
-  command->add_option("FILE", *file, "volume file, or a folder of DICOM files")->required()->type_name("");
+  CLI::App* command = program.add_subcommand(
+      "info", "what is in a volume file, without patient data; of a mesh whether it can be printed");
+  command->add_option("FILE", *file, "volume or mesh file, or a folder of DICOM files")
+      ->required()
+      ->type_name("");
+  console.addThreads(*command);
   console.addJson(*command);
-  return {command, [file, &console] {
-            const VolumeInfo info = readVolumeInfo(*file, console.progress());
-            const std::string name = inputName(*file);
-            console.print(infoJson(name, info), infoText(name, info));
-          }};
+  return {command,
+          [file, &console] { isMeshFile(*file) ? printMesh(*file, console) : printVolume(*file, console); }};
 }
 
 }  // namespace sonoskin

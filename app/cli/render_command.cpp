@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +14,6 @@
 #include "core/base/timer.h"
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
-#include "core/io/mesh_writer.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
 
@@ -36,12 +33,6 @@ struct RenderOptions {
 
 // Shares of the time of what comes before the picture.
 constexpr double kLoaded = 0.3, kComputed = 0.9;
-
-bool isMeshFile(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return std::ranges::count(meshExtensions(), extension) > 0;
-}
 
 Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
                         Console& console) {

@@ -99,9 +99,11 @@ void drawReconstructionPanel(Workspace& workspace) {
   drawProgress(workspace, activity);
   drawMeshFacts(workspace.session);
   if (workspace.session.results().mesh) {
-    const Command& save = command("file.saveMesh");
-    if (ImGui::Button(save.title, {-1, 0})) save.run(workspace);
-    noteWidget(save.id);
+    for (const char* id : {"file.saveMesh", "file.savePrint"}) {
+      const Command& save = command(id);
+      if (ImGui::Button(save.title, {-1, 0})) save.run(workspace);
+      noteWidget(save.id);
+    }
   }
 }
 

@@ -9,7 +9,16 @@
 
 namespace sonoskin::ui {
 
-enum class FilePurpose { openVolume, openErased, saveErased, openRecipe, saveRecipe, saveMesh, savePicture };
+enum class FilePurpose {
+  openVolume,
+  openErased,
+  saveErased,
+  openRecipe,
+  saveRecipe,
+  saveMesh,
+  savePrint,
+  savePicture
+};
 
 // FilePurposeText: how the dialog looks for a purpose; endings in small letters, the first is the default.
 struct FilePurposeText {

@@ -13,6 +13,7 @@ constexpr std::array<const char*, 10> kVolumes{".nrrd",   ".nhdr", ".mha", ".mhd
                                                ".nii.gz", ".vtk",  ".dcm", ".vol", ".dat"};
 constexpr std::array<const char*, 3> kWrittenVolumes{".nrrd", ".mha", ".nii.gz"};
 constexpr std::array<const char*, 5> kMeshes{".ply", ".stl", ".obj", ".glb", ".3mf"};
+constexpr std::array<const char*, 2> kPrints{".stl", ".3mf"};
 constexpr std::array<const char*, 1> kPictures{".png"};
 constexpr std::array<const char*, 1> kRecipes{".json"};
 
@@ -37,6 +38,8 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save recipe", "Save", true, kRecipes};
     case FilePurpose::saveMesh:
       return {"Save mesh", "Save", true, kMeshes};
+    case FilePurpose::savePrint:
+      return {"Save for printing", "Save", true, kPrints};
     case FilePurpose::savePicture:
       return {"Save picture of the 3D view", "Save", true, kPictures};
   }

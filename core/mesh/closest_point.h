@@ -10,11 +10,36 @@ struct ClosestPoint {
   glm::vec3 weights{1, 0, 0};
 };
 
+// closestPointOnSegment: on the side from corner `first` to corner `second` of a triangle.
+inline ClosestPoint closestPointOnSegment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
+                                          int first, int second) {
+  const glm::vec3 ab = b - a;
+  const float squared = glm::dot(ab, ab);
+  const float t = squared > 0 ? glm::clamp(glm::dot(p - a, ab) / squared, 0.f, 1.f) : 0.f;
+  ClosestPoint place{a + t * ab, glm::vec3(0)};
+  place.weights[first] = 1 - t;
+  place.weights[second] += t;
+  return place;
+}
+
+// closestPointOnLine: of a triangle without area: the nearest on its sides.
+inline ClosestPoint closestPointOnLine(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
+                                       const glm::vec3& c) {
+  ClosestPoint best = closestPointOnSegment(p, a, b, 0, 1);
+  for (const ClosestPoint& other :
+       {closestPointOnSegment(p, b, c, 1, 2), closestPointOnSegment(p, c, a, 2, 0)})
+    if (glm::distance(p, other.position) < glm::distance(p, best.position)) best = other;
+  return best;
+}
+
 // closestPointOnTriangle: exact, also for triangles without area.
 //   method   the corner, edge or inside region in which the query's projection lies       [Ericson 2005, ch. 5.1.5]
 inline ClosestPoint closestPointOnTriangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
                                            const glm::vec3& c) {
   const glm::vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const glm::vec3 area = glm::cross(ab, ac);
+  if (glm::dot(area, area) <= 1e-12f * glm::dot(ab, ab) * glm::dot(ac, ac) || b == c)
+    return closestPointOnLine(p, a, b, c);
   const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {a, {1, 0, 0}};
   const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);

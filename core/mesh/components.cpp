@@ -92,6 +92,8 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress) {
   return pieces;
 }
 
+std::vector<std::uint32_t> pieceOfVertices(const Mesh& mesh) { return rankPieces(mesh).ofVertex; }
+
 Mesh joinPieces(const std::vector<Mesh>& pieces) {
   Mesh whole;
   for (const Mesh& piece : pieces) {

@@ -12,6 +12,9 @@ namespace sonoskin {
 //   errors   Cancelled
 std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress = {});
 
+// pieceOfVertices: for every vertex the number of its piece in the order of splitPieces; 0xffffffff without a triangle.
+std::vector<std::uint32_t> pieceOfVertices(const Mesh& mesh);
+
 // joinPieces: one mesh of all pieces. Normals and visibility are kept where every piece has them.
 Mesh joinPieces(const std::vector<Mesh>& pieces);
 

@@ -29,6 +29,12 @@ struct Box {
   float diagonal() const { return glm::length(max - min); }
 };
 
+// overlap: whether two boxes have a point in common.
+inline bool overlap(const Box& a, const Box& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+         a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
+
 // boundingBox: the smallest axis-aligned box around the positions; all zero without any.
 Box boundingBox(const std::vector<glm::vec3>& positions);
 

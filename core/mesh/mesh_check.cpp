@@ -51,26 +51,36 @@ std::uint32_t cornerOf(const Mesh& mesh, std::uint32_t triangle, std::uint32_t v
   return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
 }
 
+// What is found: numbers, and the vertices with something wrong, some of them twice.
+struct Findings {
+  MeshCheck check;
+  std::vector<std::uint32_t> defective;
+};
+
 // Classifies the run of half-edges [first, last) that lie on one edge and joins the corners across it.
 void countEdge(const Mesh& mesh, const HalfEdge* first, const HalfEdge* last, CornerSets& corners,
-               MeshCheck& check) {
+               Findings& findings) {
   const auto uses = last - first;
+  MeshCheck& check = findings.check;
   ++check.edges;
   if (uses == 1) ++check.boundaryEdges;
   if (uses > 2) ++check.nonManifoldEdges;
-  if (uses == 2 && first[0].ascending == first[1].ascending) ++check.misorientedEdges;
+  const bool misoriented = uses == 2 && first[0].ascending == first[1].ascending;
+  check.misorientedEdges += misoriented;
+  if (uses > 2 || misoriented) findings.defective.insert(findings.defective.end(), {first->low, first->high});
   for (const HalfEdge* h = first + 1; h < last; ++h)
     for (const std::uint32_t v : {h->low, h->high})
       corners.join(cornerOf(mesh, first->triangle, v), cornerOf(mesh, h->triangle, v));
 }
 
-void countVertices(const Mesh& mesh, CornerSets& corners, MeshCheck& check) {
+void countVertices(const Mesh& mesh, CornerSets& corners, Findings& findings) {
   std::vector<std::uint32_t> fans(mesh.positions.size(), 0);
   for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
     if (corners.find(c) == c) ++fans[mesh.triangles[c / 3][c % 3]];
-  for (const std::uint32_t n : fans) {
-    check.usedVertices += n > 0;
-    check.nonManifoldVertices += n > 1;
+  for (std::uint32_t v = 0; v < fans.size(); ++v) {
+    findings.check.usedVertices += fans[v] > 0;
+    findings.check.nonManifoldVertices += fans[v] > 1;
+    if (fans[v] > 1) findings.defective.push_back(v);
   }
 }
 
@@ -80,27 +90,39 @@ bool isDegenerate(const Mesh& mesh, const Triangle& t) {
   return glm::cross(b - a, c - a) == glm::dvec3(0);
 }
 
-}  // namespace
-
-MeshCheck checkMesh(const Mesh& mesh) {
+Findings inspect(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles)
     require(std::max({t[0], t[1], t[2]}) < mesh.positions.size(),
             "The mesh is damaged: a triangle names a vertex that is not there.");
-  MeshCheck check;
+  Findings findings;
   const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
   CornerSets corners(3 * mesh.triangles.size());
   const HalfEdge* const end = halfEdges.data() + halfEdges.size();
   for (const HalfEdge* first = halfEdges.data(); first < end;) {
     const HalfEdge* last = first;
     while (last < end && last->low == first->low && last->high == first->high) ++last;
-    countEdge(mesh, first, last, corners, check);
+    countEdge(mesh, first, last, corners, findings);
     first = last;
   }
-  countVertices(mesh, corners, check);
+  countVertices(mesh, corners, findings);
+  return findings;
+}
+
+}  // namespace
+
+MeshCheck checkMesh(const Mesh& mesh) {
+  MeshCheck check = inspect(mesh).check;
   for (const Triangle& t : mesh.triangles) check.degenerateTriangles += isDegenerate(mesh, t);
   check.euler = std::ptrdiff_t(check.usedVertices) - std::ptrdiff_t(check.edges) +
                 std::ptrdiff_t(mesh.triangles.size());
   return check;
+}
+
+std::vector<std::uint32_t> defectiveVertices(const Mesh& mesh) {
+  std::vector<std::uint32_t> vertices = inspect(mesh).defective;
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
 }
 
 double enclosedVolume(const Mesh& mesh) {

@@ -27,6 +27,10 @@ struct MeshCheck {
 //   errors   Error: a triangle names a vertex that is not there
 MeshCheck checkMesh(const Mesh& mesh);
 
+// defectiveVertices: those at which the mesh is not manifold or not oriented, in ascending order.
+//   errors   Error: a triangle names a vertex that is not there
+std::vector<std::uint32_t> defectiveVertices(const Mesh& mesh);
+
 // enclosedVolume: mm^3, positive if the triangles are counter-clockwise seen from outside; for closed meshes.
 double enclosedVolume(const Mesh& mesh);
 

@@ -78,6 +78,20 @@ TriangleTree::Hit TriangleTree::nearest(const glm::vec3& query, std::uint32_t gu
   Hit best;
   best.squaredDistance = std::numeric_limits<float>::infinity();
   if (guess < mesh_.triangles.size()) tryTriangle(query, guess, best);
+  search(query, best);
+  return best;
+}
+
+std::optional<TriangleTree::Hit> TriangleTree::nearestWithin(const glm::vec3& query, float limit) const {
+  Hit best;
+  best.squaredDistance = limit * limit;
+  search(query, best);
+  if (best.squaredDistance < limit * limit) return best;
+  return std::nullopt;
+}
+
+// Replaces `best` by what is nearer.
+void TriangleTree::search(const glm::vec3& query, Hit& best) const {
   struct Pending {
     std::size_t node;
     float squaredDistance;
@@ -98,7 +112,6 @@ TriangleTree::Hit TriangleTree::nearest(const glm::vec3& query, std::uint32_t gu
     stack[depth++] = far;  // the nearer one is searched first and shrinks what remains of the farther
     stack[depth++] = near;
   }
-  return best;
 }
 
 }  // namespace sonoskin

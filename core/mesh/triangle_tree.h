@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/closest_point.h"
@@ -7,7 +10,7 @@
 
 namespace sonoskin {
 
-// TriangleTree: finds the place of a mesh nearest to a point. Keeps a reference to the mesh.
+// TriangleTree: finds the place of a mesh nearest to a point, and the triangles in a box. Keeps a reference to the mesh.
 //   method   triangles sorted along a space-filling curve, four to a leaf, boxes in an implicit binary tree
 //   cost     500k triangles: built in 0.1 s; a query takes 1 to 2 us near the surface
 class TriangleTree {
@@ -23,16 +26,42 @@ class TriangleTree {
   //   guess   a triangle that may be near (the last hit for a neighbouring query); it saves time only
   Hit nearest(const glm::vec3& query, std::uint32_t guess = 0) const;
 
+  // nearestWithin: the closest place, if it is nearer than `limit`; farther ones cost nothing.
+  std::optional<Hit> nearestWithin(const glm::vec3& query, float limit) const;
+
+  // forEachNear: calls f(triangle) for every triangle that may meet the box; misses none.
+  template <class F>
+  void forEachNear(const Box& box, F&& f) const;
+
  private:
   static constexpr std::size_t kLeaf = 4;
 
   void tryTriangle(const glm::vec3& query, std::uint32_t triangle, Hit& best) const;
   void searchLeaf(const glm::vec3& query, std::size_t leaf, Hit& best) const;
+  void search(const glm::vec3& query, Hit& best) const;
 
   const Mesh& mesh_;
   std::vector<std::uint32_t> order_;  // triangles along the curve
   std::size_t leaves_ = 1;            // a power of two
   std::vector<Box> boxes_;            // node n has children 2n and 2n+1; leaf l is node leaves_ + l
 };
+
+template <class F>
+void TriangleTree::forEachNear(const Box& box, F&& f) const {
+  std::array<std::size_t, 64> stack;  // one per level is enough
+  std::size_t depth = 0;
+  stack[depth++] = 1;
+  while (depth > 0) {
+    const std::size_t node = stack[--depth];
+    if (!overlap(boxes_[node], box)) continue;
+    if (node < leaves_) {
+      stack[depth++] = 2 * node + 1;
+      stack[depth++] = 2 * node;
+      continue;
+    }
+    const std::size_t first = (node - leaves_) * kLeaf, last = std::min(first + kLeaf, order_.size());
+    for (std::size_t i = first; i < last; ++i) f(order_[i]);
+  }
+}
 
 }  // namespace sonoskin

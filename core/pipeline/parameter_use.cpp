@@ -64,6 +64,8 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "scan" && field == "apex" && parameters.scan.beamOrigin != BeamOrigin::given)
     return "Only used if the beams' origin is given";
   if (group == "reconstruction") return reconstructionUse(parameters.reconstruction, field);
+  if (group == "print" && field != "form" && parameters.print.form == PrintForm::none)
+    return "Nothing is printed: the form is none";
   if (group == "surface") return surfaceUse(parameters.surface, field);
   return {};
 }

@@ -7,7 +7,9 @@
 #include "core/classification/iso_value.h"
 #include "core/classification/live_classifier.h"
 #include "core/enhancement/diffusion.h"
+#include "core/mesh/clean.h"
 #include "core/mesh/components.h"
+#include "core/mesh/print_solid.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/parameter_key.h"
 #include "core/pipeline/stage.h"
@@ -149,7 +151,7 @@ struct Pipeline::Stages {
   Stage<Points> points{3};
   Stage<CsrbfModel> model{3};
   Stage<std::vector<Mesh>> pieces{3};
-  Stage<Mesh> mesh{3};
+  Stage<Mesh> piece{3}, mesh{3}, print{1};
   LiveMemory live;
   Stage<Volume<float>> liveClassified{3};
   CoarseLevel half, quarter;
@@ -201,6 +203,22 @@ Key keyOf(const char* stage, const Key& input, const Options& options) {
   hasher.add(input);
   addOptions(hasher, options);
   return hasher.key();
+}
+
+Key pieceKeyOf(const Key& surface, const MeshOptions& mesh) {
+  Hasher hasher("piece 2");
+  hasher.add(surface).add(mesh.piece).add(mesh.companions).add(mesh.pieceIndex);
+  return hasher.add(std::span<const double>(mesh.piecePoint)).key();
+}
+
+Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {
+  Hasher hasher("clean 1");
+  return hasher.add(piece)
+      .add(mesh.minArea)
+      .add(mesh.fillHoles)
+      .add(mesh.smoothing)
+      .add(mesh.triangles)
+      .key();
 }
 
 Input enhance(const Scan& scan, const EnhancementOptions& options, double until, Stage<Volume<float>>& memory,
@@ -277,13 +295,24 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   Hasher surface("surface 2");
   const Key surfaceKey =
       surface.add(fitKey).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
-  results.pieces = run.stage("surface", 0.98, stages_->pieces, surfaceKey, [&](const Progress& p) {
+  const bool cleans = needsCleaning(mesh), prints = parameters.print.form != PrintForm::none;
+  const double solid = prints ? 0.85 : 1, cleaned = cleans ? 0.9 * solid : solid;
+  results.pieces = run.stage("surface", 0.98 * cleaned, stages_->pieces, surfaceKey, [&](const Progress& p) {
     return splitPieces(extractIsoSurface(*model, *results.points, mesh, p));
   });
-  results.mesh =
-      run.stage("piece", 1, stages_->mesh, keyOf("piece 1", surfaceKey, mesh), [&](const Progress&) {
-        return choosePiece(*results.pieces, mesh, prepared->beam, centreOf(scan.volume->geometry));
-      });
+  const Key pieceKey = pieceKeyOf(surfaceKey, mesh);
+  const auto piece = run.stage("piece", cleaned, stages_->piece, pieceKey, [&](const Progress&) {
+    return choosePiece(*results.pieces, mesh, prepared->beam, centreOf(scan.volume->geometry));
+  });
+  results.mesh = piece;
+  const Key cleanKey = cleanKeyOf(pieceKey, mesh);
+  if (cleans)
+    results.mesh = run.stage("clean", solid, stages_->mesh, cleanKey,
+                             [&](const Progress& p) { return cleanMesh(*piece, mesh, p); });
+  if (prints)
+    results.print =
+        run.stage("print", 1, stages_->print, keyOf("print 1", cleanKey, parameters.print),
+                  [&](const Progress& p) { return makePrintSolid(*results.mesh, parameters.print, p); });
   return results;
 }
 

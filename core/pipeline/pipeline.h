@@ -43,7 +43,8 @@ struct Results {
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
-  std::shared_ptr<const Mesh> mesh;                 // the chosen piece
+  std::shared_ptr<const Mesh> mesh;                 // the chosen piece, cleaned as the parameters say
+  std::shared_ptr<const Mesh> print;                // a solid of it to print; empty if print.form is none
   std::vector<StageReport> stages;
 };
 

@@ -52,6 +52,29 @@ TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
   EXPECT_EQ(picture.height, 120);
 }
 
+TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {
+  const TempFolder folder;
+  const ProgramResult result = sonoskin(withSmall(
+      {"run", "phantom", "--out", (folder / "out").string(), "--json", "--size", "64x64", "--export",
+       "ply,3mf", "--mesh.resolution", "100", "--print.form", "block", "--print.scale", "0.5"}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const nlohmann::json report = nlohmann::json::parse(result.out);
+  EXPECT_FALSE(report["mesh"]["closed"].get<bool>());
+  EXPECT_EQ(report["mesh"]["self_intersections"], 0);
+  EXPECT_TRUE(report["print"]["closed"].get<bool>() && report["print"]["manifold"].get<bool>());
+  EXPECT_EQ(report["print"]["self_intersections"], 0);
+  for (const char* name : {"print.stl", "print.3mf"}) {
+    const ProgramResult info = sonoskin({"info", (folder / "out" / name).string(), "--json"});
+    ASSERT_EQ(info.status, 0) << info.err;
+    const nlohmann::json facts = nlohmann::json::parse(info.out);
+    EXPECT_EQ(facts["file"], name);
+    EXPECT_TRUE(facts["printable"].get<bool>()) << info.out;
+    EXPECT_NEAR(facts["volume_mm3"].get<double>(), report["print"]["volume_mm3"].get<double>(), 1);
+  }
+  const ProgramResult text = sonoskin({"info", (folder / "out/mesh.ply").string()});
+  EXPECT_NE(text.out.find("printable  no"), std::string::npos) << text.out;
+}
+
 TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
   const TempFolder folder;
   const Names first = withSmall({"run", "phantom", "--out", (folder / "1").string(), "--threads", "1"});

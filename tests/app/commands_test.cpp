@@ -35,8 +35,8 @@ TEST(Commands, PromisedKeys) {
 
 TEST(Commands, NothingThatNeedsAScanWithoutOne) {
   const Workspace workspace{Parameters()};
-  for (const char* id :
-       {"file.saveMesh", "file.savePicture", "view.resetCamera", "surface.reconstruct", "edit.undo"}) {
+  for (const char* id : {"file.saveMesh", "file.savePrint", "file.savePicture", "view.resetCamera",
+                         "surface.reconstruct", "edit.undo"}) {
     EXPECT_FALSE(isEnabled(command(id), workspace)) << id;
   }
   EXPECT_TRUE(isEnabled(command("file.open"), workspace));

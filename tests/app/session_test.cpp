@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/timer.h"
+#include "core/io/mesh_reader.h"
+#include "core/mesh/mesh_facts.h"
 
 namespace sonoskin {
 namespace {
@@ -241,6 +243,31 @@ TEST(Session, AnotherVolumeHasNoCropBoxAndNothingErased) {
   EXPECT_EQ(session.parameters().region.cutLow[0], 0);
   EXPECT_EQ(session.parameters().phantom.dims, (std::array<int, 3>{60, 43, 31}));
   EXPECT_FALSE(session.canUndo());
+}
+
+TEST(Session, SavesASolidForPrinting) {
+  Session session(tinyPhantom());
+  EXPECT_THROW(session.savePrint("nothing.stl"), Error);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  Parameters small = session.parameters();
+  small.mesh.resolution = 60;
+  small.surface.minClusterArea = 20;
+  session.edit(small);
+  session.commitEdit();
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  session.takeMessages();
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.stl";
+  session.savePrint(file);
+  EXPECT_TRUE(session.saving());
+  ASSERT_TRUE(wait(session));
+  const std::vector<Message> messages = session.takeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].kind, Message::Kind::note) << messages[0].text;
+  EXPECT_TRUE(measureMesh(readMesh(file)).printable());
+  fs::remove(file);
+  fs::remove(fs::path(file).replace_extension(".recipe.json"));
 }
 
 TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {

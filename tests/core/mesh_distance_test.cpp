@@ -75,6 +75,10 @@ TEST(MeshDistance, TreeFindsWhatBruteForceFinds) {
                                                                   mesh.positions[t[1]], mesh.positions[t[2]])
                                                .position));
     EXPECT_NEAR(std::sqrt(tree.nearest(p, std::uint32_t(i)).squaredDistance), least, 1e-5f);
+    EXPECT_FALSE(tree.nearestWithin(p, 0.99f * least));
+    const auto within = tree.nearestWithin(p, 1.01f * least + 1e-4f);
+    ASSERT_TRUE(within);
+    EXPECT_NEAR(std::sqrt(within->squaredDistance), least, 1e-5f);
   }
 }
 

@@ -125,5 +125,13 @@ TEST(ParameterUse, TheLargestPieceNeedsNoStrength) {
   EXPECT_TRUE(unusedBecause(p, "mesh", "strongShare").empty());
 }
 
+TEST(ParameterUse, PrintingNeedsAForm) {
+  Parameters p;
+  EXPECT_FALSE(unusedBecause(p, "print", "thickness").empty());
+  EXPECT_TRUE(unusedBecause(p, "print", "form").empty());
+  p.print.form = PrintForm::block;
+  EXPECT_TRUE(unusedBecause(p, "print", "thickness").empty());
+}
+
 }  // namespace
 }  // namespace sonoskin

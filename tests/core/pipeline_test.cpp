@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_check.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -84,6 +85,24 @@ TEST_F(PipelineTest, OtherPiecesCostNoNewSurface) {
   pipeline.run(scan, parameters, Goal::mesh);
   parameters.mesh.piece = PieceChoice::largest;
   EXPECT_EQ(computed(pipeline.run(scan, parameters, Goal::mesh)), std::vector<std::string>{"piece"});
+}
+
+TEST_F(PipelineTest, CleaningAndPrintingFollowThePiece) {
+  const Results plain = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_FALSE(plain.print);
+  parameters.mesh.triangles = 1000;
+  const Results clean = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_EQ(computed(clean), std::vector<std::string>{"clean"});
+  EXPECT_LT(clean.mesh->triangles.size(), plain.mesh->triangles.size() / 2);
+  parameters.print.form = PrintForm::block;
+  const Results solid = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_EQ(computed(solid), std::vector<std::string>{"print"});
+  EXPECT_EQ(solid.mesh, clean.mesh);
+  ASSERT_TRUE(solid.print);
+  EXPECT_TRUE(checkMesh(*solid.print).closed());
+  parameters.print.scale = 2;
+  EXPECT_NEAR(enclosedVolume(*pipeline.run(scan, parameters, Goal::mesh).print),
+              8 * enclosedVolume(*solid.print), 1e-3 * enclosedVolume(*solid.print));
 }
 
 TEST_F(PipelineTest, EnhancementIsDoneOnceAndReachesEverythingBehindIt) {

@@ -1,0 +1,81 @@
+#include "core/mesh/decimate.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_check.h"
+
+namespace sonoskin {
+namespace {
+
+std::vector<Triangle> simplify(const std::vector<glm::vec3>& positions,
+                               const std::vector<Triangle>& triangles, std::size_t wanted) {
+  std::vector<Triangle> reduced(triangles.size());
+  const std::size_t indices = meshopt_simplify(reduced[0].data(), triangles[0].data(), 3 * triangles.size(),
+                                               &positions[0].x, positions.size(), sizeof(glm::vec3),
+                                               3 * wanted, 1.f, meshopt_SimplifyLockBorder, nullptr);
+  reduced.resize(indices / 3);
+  return reduced;
+}
+
+// The same on a thread of its own, with data of its own, so that a cancel need not wait for the library.
+std::vector<Triangle> simplifyAside(const Mesh& mesh, std::vector<Triangle> triangles, std::size_t wanted,
+                                    const Progress& progress) {
+  if (triangles.size() <= wanted) return triangles;
+  std::packaged_task<std::vector<Triangle>()> task([positions = mesh.positions, all = std::move(triangles),
+                                                    wanted] { return simplify(positions, all, wanted); });
+  std::future<std::vector<Triangle>> result = task.get_future();
+  std::thread(std::move(task)).detach();
+  while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+    progress.throwIfCancelled();
+  return result.get();
+}
+
+// Marks the triangles within two rings of some vertices.
+void keepAround(const Mesh& mesh, const std::vector<std::uint32_t>& vertices, std::vector<bool>& isKept) {
+  std::vector<bool> isNear(mesh.positions.size(), false);
+  for (const std::uint32_t v : vertices) isNear[v] = true;
+  for (int ring = 0; ring < 2; ++ring) {
+    std::vector<bool> next = isNear;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      if (!isNear[a] && !isNear[b] && !isNear[c]) continue;
+      isKept[t] = true;
+      next[a] = next[b] = next[c] = true;
+    }
+    isNear = std::move(next);
+  }
+}
+
+}  // namespace
+
+Mesh decimateMesh(const Mesh& mesh, std::size_t triangles, const Progress& progress) {
+  constexpr int kAttempts = 12;
+  if (mesh.triangles.size() <= triangles) return mesh;
+  progress.update(0);
+  const std::size_t defects = defectiveVertices(mesh).size();
+  std::vector<bool> isKept(mesh.triangles.size(), false);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    progress.update(double(attempt) / kAttempts);
+    std::vector<Triangle> kept, others;
+    for (std::size_t t = 0; t < isKept.size(); ++t) (isKept[t] ? kept : others).push_back(mesh.triangles[t]);
+    if (others.empty()) break;
+    Mesh reduced = mesh;
+    reduced.triangles = simplifyAside(mesh, others, triangles - std::min(triangles, kept.size()), progress);
+    reduced.triangles.insert(reduced.triangles.end(), kept.begin(), kept.end());
+    const std::vector<std::uint32_t> bad = defectiveVertices(reduced);
+    if (bad.size() <= defects) {
+      compactVertices(reduced);
+      return reduced;
+    }
+    keepAround(mesh, bad, isKept);
+  }
+  return mesh;
+}
+
+}  // namespace sonoskin

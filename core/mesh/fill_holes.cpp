@@ -1,0 +1,224 @@
+#include "core/mesh/fill_holes.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/mesh/components.h"
+#include "core/mesh/half_edges.h"
+#include "core/mesh/hole_fairing.h"
+#include "core/mesh/hole_refinement.h"
+#include "core/mesh/hole_triangulation.h"
+
+namespace sonoskin {
+namespace {
+
+using Loop = std::vector<std::uint32_t>;  // half-edges of a border, in order
+
+// The edges that join two vertices of borders: a patch must not add a second one.
+class BorderEdges {
+ public:
+  BorderEdges(const Mesh& mesh, const std::vector<Loop>& loops) {
+    std::vector<bool> isBorder(mesh.positions.size(), false);
+    for (const Loop& loop : loops)
+      for (const std::uint32_t h : loop) isBorder[originOf(mesh.triangles, h)] = true;
+    for (const Triangle& t : mesh.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (isBorder[t[i]] && isBorder[t[(i + 1) % 3]]) add(t[i], t[(i + 1) % 3]);
+  }
+  void add(std::uint32_t a, std::uint32_t b) { edges_.insert(keyOf(a, b)); }
+  bool has(std::uint32_t a, std::uint32_t b) const { return edges_.contains(keyOf(a, b)); }
+
+ private:
+  static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
+  }
+  std::unordered_set<std::uint64_t> edges_;
+};
+
+double sizeAcross(const Mesh& mesh, const Loop& loop, double enough) {
+  std::vector<glm::vec3> points;
+  for (const std::uint32_t h : loop) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
+  const Box box = boundingBox(points);
+  const glm::vec3 sides = box.max - box.min;
+  // Between the longest side of the box and its diagonal: most loops need no closer look.
+  if (double(std::max({sides.x, sides.y, sides.z})) > enough) return double(box.diagonal());
+  if (double(box.diagonal()) <= enough) return double(box.diagonal());
+  float squared = 0;
+  for (const glm::vec3& a : points)
+    for (const glm::vec3& b : points) squared = std::max(squared, glm::dot(a - b, a - b));
+  return std::sqrt(double(squared));
+}
+
+// For every piece its largest border is left out.
+void dropOuterLoops(const Mesh& mesh, std::vector<Loop>& loops) {
+  const std::vector<std::uint32_t> piece = pieceOfVertices(mesh);
+  std::unordered_map<std::uint32_t, std::pair<float, std::size_t>> largest;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    std::vector<glm::vec3> points;
+    for (const std::uint32_t h : loops[l]) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
+    const float size = boundingBox(points).diagonal();
+    auto& [most, index] =
+        largest.try_emplace(piece[originOf(mesh.triangles, loops[l][0])], -1.f, 0).first->second;
+    if (size > most) {
+      most = size;
+      index = l;
+    }
+  }
+  std::vector<bool> isOuter(loops.size(), false);
+  for (const auto& [piece_, best] : largest) isOuter[best.second] = true;
+  std::vector<Loop> inner;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    if (!isOuter[l]) inner.push_back(std::move(loops[l]));
+  loops = std::move(inner);
+}
+
+glm::dvec3 unitNormal(const Mesh& mesh, const Triangle& t) {
+  const glm::dvec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+  const glm::dvec3 n = glm::cross(b - a, c - a);
+  const double length = glm::length(n);
+  return length > 0 ? n / length : glm::dvec3(0);
+}
+
+// One hole on its way to being filled. Its loop runs against the border, so that the patch is seen from outside.
+class Hole {
+ public:
+  Hole(const Mesh& mesh, const std::vector<std::uint32_t>& opposite, const Loop& border)
+      : mesh_(mesh), opposite_(opposite), border_(border) {
+    const std::size_t n = border.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t h = border[n - 1 - i];
+      vertices_.push_back(originOf(mesh.triangles, nextHalfEdge(h)));
+      loop_.points.emplace_back(mesh.positions[vertices_.back()]);
+      loop_.normals.push_back(unitNormal(mesh, mesh.triangles[h / 3]));
+    }
+  }
+
+  const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+
+  HolePatch fill(const BorderEdges& edges, const Progress& progress) const {
+    const auto isAllowed = [&](std::uint32_t i, std::uint32_t j) {
+      return vertices_[i] != vertices_[j] && !edges.has(vertices_[i], vertices_[j]);
+    };
+    HolePatch patch{loop_.points, triangulateLoop(loop_, isAllowed)};
+    std::vector<double> sizes = sideLengths();
+    if (patch.triangles.empty()) spanFromTheMiddle(patch, sizes);
+    refinePatch(patch, sizes, isAllowed, progress.part(0, 0.5));
+    fair(patch, progress.part(0.5, 1));
+    return patch;
+  }
+
+ private:
+  std::vector<double> sideLengths() const {
+    const std::size_t n = loop_.points.size();
+    std::vector<double> sizes(n);
+    for (std::size_t i = 0; i < n; ++i)
+      sizes[i] = 0.5 * (glm::distance(loop_.points[i], loop_.points[(i + 1) % n]) +
+                        glm::distance(loop_.points[i], loop_.points[(i + n - 1) % n]));
+    return sizes;
+  }
+
+  // Where chords are all taken, a fan around a new point needs none.
+  void spanFromTheMiddle(HolePatch& patch, std::vector<double>& sizes) const {
+    const auto n = std::uint32_t(loop_.points.size());
+    glm::dvec3 middle(0);
+    double size = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      middle += loop_.points[i] / double(n);
+      size += sizes[i] / double(n);
+      patch.triangles.push_back({i, (i + 1) % n, n});
+    }
+    patch.points.push_back(middle);
+    sizes.push_back(size);
+  }
+
+  void fair(HolePatch& patch, const Progress& progress) const {
+    FairingMesh local{patch.points, {}, patch.triangles};
+    local.role.assign(patch.points.size(), FairingMesh::Role::free);
+    std::fill_n(local.role.begin(), vertices_.size(), FairingMesh::Role::border);
+    addRing(local);
+    fairPoints(local, progress);
+    std::copy_n(local.points.begin(), patch.points.size(), patch.points.begin());
+  }
+
+  // The triangles of the mesh around the loop's vertices.
+  void addRing(FairingMesh& local) const {
+    std::unordered_map<std::uint32_t, std::uint32_t> number;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) number.emplace(vertices_[i], std::uint32_t(i));
+    std::unordered_set<std::uint32_t> seen;
+    for (const std::uint32_t side : border_)
+      for (std::uint32_t h = side; h != kNoHalfEdge; h = opposite_[nextHalfEdge(nextHalfEdge(h))]) {
+        if (!seen.insert(h / 3).second) continue;
+        Triangle t = mesh_.triangles[h / 3];
+        for (std::uint32_t& v : t) {
+          const auto [found, isNew] = number.try_emplace(v, std::uint32_t(local.points.size()));
+          if (isNew) {
+            local.points.emplace_back(mesh_.positions[v]);
+            local.role.push_back(FairingMesh::Role::ring);
+          }
+          v = found->second;
+        }
+        local.triangles.push_back(t);
+      }
+  }
+
+  const Mesh& mesh_;
+  const std::vector<std::uint32_t>& opposite_;
+  const Loop& border_;
+  std::vector<std::uint32_t> vertices_;
+  HoleLoop loop_;
+};
+
+// Adds a patch to the mesh; the vertices of its loop are there already.
+void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch& patch, BorderEdges& edges) {
+  std::vector<std::uint32_t> number = loop;
+  for (std::size_t i = loop.size(); i < patch.points.size(); ++i) {
+    number.push_back(std::uint32_t(mesh.positions.size()));
+    mesh.positions.emplace_back(patch.points[i]);
+  }
+  for (const Triangle& t : patch.triangles) {
+    mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t[i] < loop.size() && t[(i + 1) % 3] < loop.size()) edges.add(loop[t[i]], loop[t[(i + 1) % 3]]);
+  }
+}
+
+// Normals and visibility of the vertices from `first` on.
+void completeVertices(Mesh& mesh, std::size_t first) {
+  if (!mesh.visibility.empty()) mesh.visibility.resize(mesh.positions.size(), 0.f);
+  if (mesh.normals.empty()) return;
+  Mesh shape;
+  shape.positions = mesh.positions;
+  shape.triangles = mesh.triangles;
+  computeNormals(shape);
+  mesh.normals.insert(mesh.normals.end(), shape.normals.begin() + std::ptrdiff_t(first), shape.normals.end());
+}
+
+}  // namespace
+
+Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& progress) {
+  Mesh filled = mesh;
+  splitFans(filled);
+  const std::vector<std::uint32_t> opposite = oppositeHalfEdges(filled.triangles, filled.positions.size());
+  progress.update(0.05);
+  std::vector<Loop> loops = borderLoops(filled.triangles, opposite);
+  if (options.keepOuter) dropOuterLoops(filled, loops);
+  std::erase_if(loops, [&](const Loop& l) {
+    return l.size() < 3 || sizeAcross(filled, l, options.largest) > options.largest;
+  });
+  BorderEdges edges(filled, loops);
+  const std::size_t first = filled.positions.size();
+  progress.update(0.1);
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const Hole hole(filled, opposite, loops[l]);
+    const double from = 0.1 + 0.9 * double(l) / double(loops.size());
+    const double to = 0.1 + 0.9 * double(l + 1) / double(loops.size());
+    const HolePatch patch = hole.fill(edges, progress.part(from, to));
+    append(filled, hole.vertices(), patch, edges);
+  }
+  completeVertices(filled, first);
+  progress.update(1);
+  return filled;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,69 @@
+#include "core/mesh/decimate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/self_intersections.h"
+#include "tests/support/meshes.h"
+
+namespace sonoskin {
+namespace {
+
+TEST(Decimate, ASphereStaysRoundAndManifold) {
+  const Mesh sphere = test::icosphere(6, 10, {});  // 81,920 triangles
+  const Mesh few = decimateMesh(sphere, 5000);
+  EXPECT_LE(few.triangles.size(), 5100u);
+  EXPECT_GE(few.triangles.size(), 4500u);
+  const MeshCheck check = checkMesh(few);
+  EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
+  EXPECT_EQ(check.euler, 2);
+  EXPECT_EQ(countSelfIntersections(few), 0u);
+  EXPECT_NEAR(enclosedVolume(few), enclosedVolume(sphere), 0.005 * enclosedVolume(sphere));
+  for (const auto& [a, b, c] : few.triangles)  // sagitta of triangles of 0.75 mm: 0.02 mm
+    EXPECT_NEAR(glm::length((few.positions[a] + few.positions[b] + few.positions[c]) / 3.f), 10.f, 0.1f);
+}
+
+TEST(Decimate, VerticesAndBordersAreThoseOfTheMesh) {
+  Mesh bowl = test::icosphere(5, 10, {});
+  std::erase_if(bowl.triangles, [&](const Triangle& t) { return bowl.positions[t[0]].z < 0; });
+  compactVertices(bowl);
+  for (std::size_t v = 0; v < bowl.positions.size(); ++v) bowl.visibility.push_back(float(v));
+  const Mesh few = decimateMesh(bowl, 1000);
+  EXPECT_LE(few.triangles.size(), 1100u);
+  ASSERT_EQ(few.normals.size(), few.positions.size());
+  for (std::size_t v = 0; v < few.positions.size(); ++v) {
+    const auto original = std::size_t(few.visibility[v]);
+    EXPECT_EQ(few.positions[v], bowl.positions[original]);
+    EXPECT_EQ(few.normals[v], bowl.normals[original]);
+  }
+  EXPECT_EQ(checkMesh(few).boundaryEdges, checkMesh(bowl).boundaryEdges);
+  EXPECT_EQ(checkMesh(few).euler, 1);
+}
+
+TEST(Decimate, ThinPlatesStayManifold) {
+  Mesh plate = test::icosphere(6, 10, {});
+  for (glm::vec3& p : plate.positions) p.z *= 0.002f;
+  const Mesh few = decimateMesh(plate, 300);
+  const MeshCheck check = checkMesh(few);
+  EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
+  EXPECT_LT(few.triangles.size(), 5000u);
+}
+
+TEST(Decimate, EnoughIsLeftAlone) {
+  const Mesh sphere = test::icosphere(3, 10, {});
+  EXPECT_EQ(decimateMesh(sphere, 1280).triangles, sphere.triangles);
+}
+
+TEST(Decimate, CancelledWhileTheLibraryWorks) {
+  const Mesh sphere = test::icosphere(7, 10, {});
+  ProgressSink sink;
+  sink.report = [&](double) { sink.cancel = true; };
+  EXPECT_THROW(decimateMesh(sphere, 100, Progress(sink)), Cancelled);
+}
+
+}  // namespace
+}  // namespace sonoskin
