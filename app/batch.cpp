@@ -52,6 +52,9 @@ Scan load(BatchRun& run) {
   run.report.dims = {g.dims.x, g.dims.y, g.dims.z};
   run.report.spacing = {g.spacing.x, g.spacing.y, g.spacing.z};
   run.report.spacingKnown = scan.spacingKnown;
+  if (scan.erased)
+    run.report.erasedVoxels = scan.erased->data.size() -
+                              std::size_t(std::count(scan.erased->data.begin(), scan.erased->data.end(), 0));
   return scan;
 }
 

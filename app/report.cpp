@@ -34,6 +34,7 @@ std::string reportJson(const Report& report) {
   json["spacing_mm"] = report.spacing;
   json["spacing_known"] = report.spacingKnown;
   json["iso_value"] = report.isoValue;
+  json["erased_voxels"] = report.erasedVoxels;
   json["stages"] = stages;
   json["points"] = report.points;
   json["echo_offset_mm"] = report.echoOffset;

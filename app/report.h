@@ -18,6 +18,7 @@ struct Report {
   std::array<double, 3> spacing{};  // mm
   bool spacingKnown = true;
   double isoValue = 0;
+  std::size_t erasedVoxels = 0;  // of the file of --erase
   std::vector<StageReport> stages;
   std::size_t points = 0, centres = 0, pieces = 0;
   MeshFacts mesh;

@@ -130,6 +130,7 @@ TEST(RunCommand, ErasedAndCutPartsHaveNoSurface) {
     EXPECT_GT(p.x, 50 * 1.2f - 2.5f);
     EXPECT_LT(p.x, 116 * 1.2f - 40 + 2.5f);
   }
+  EXPECT_EQ(nlohmann::json::parse(fileText(folder / "out/report.json"))["erased_voxels"], 50 * 64 * 31);
   EXPECT_NE(fileText(folder / "out/recipe.json").find("\"cutHigh\": [\n      40.0"), std::string::npos);
 
   const auto refusal = [&](const std::string& bytes, const std::string& dims) {
