@@ -88,9 +88,15 @@ void paneTitle(const PaneInput& pane, const char* title, const ImVec4& colour, c
                      ImGui::GetColorU32(colour));
   ImFont* font = headingFont();
   const ImVec2 p{pane.corner.x + 10 * u, pane.corner.y + 9 * u};
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, title).x;
+  const float rest =
+      text.empty() ? 0
+                   : smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, text.c_str()).x + 10 * u;
+  // Lines of the crop box may run behind it.
+  list.AddRectFilled({p.x - 4 * u, p.y - 2 * u}, {p.x + width + rest + 4 * u, p.y + font->FontSize + 2 * u},
+                     IM_COL32(6, 7, 9, 170), 3 * u);
   list.AddText(font, font->FontSize, {p.x + u, p.y + u}, IM_COL32(0, 0, 0, 200), title);
   list.AddText(font, font->FontSize, p, ImGui::GetColorU32(colour), title);
-  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, title).x;
   shadedText({p.x + width + 10 * u, p.y + 2 * u}, kText, text);
 }
 
