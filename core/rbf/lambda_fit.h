@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/rbf/centres.h"
+#include "core/rbf/lambda_system.h"
 
 namespace sonoskin {
 
@@ -11,22 +12,7 @@ namespace sonoskin {
 // same zero set for the same λ, but the systems that λ solves differ.
 enum class FunctionForm { normalised, plain };
 
-// LambdaSystem: the normal equations of the weights λ, without their regulariser; sparse rows, columns
-// ascending.
-//   A_ij = Σ_k d_k ph_i(p_k) ph_j(p_k) / (L² Σ d)                                               [thesis 3.26]
-//   b_i  = -Σ_k d_k ph_i(p_k) S_0(p_k) / (L² Σ d),  S_0: the function with λ = 0                [thesis 3.27]
-//   ph_i = φ_i / Σ_c φ_c in the normalised form, φ_i in the plain one
-struct LambdaSystem {
-  std::vector<std::size_t> rowStart{0};
-  std::vector<std::uint32_t> column;
-  std::vector<double> value;
-  std::vector<double> b;
-
-  std::size_t size() const { return b.size(); }
-};
-
-// assembleLambdaSystem: A and b for every centre.
-//   cost      every point lies in 14 to 16 supports: O(15²/2 N); 113k points: 0.1 s on one core
+// assembleLambdaSystem: the system of these centres.
 //   errors    Cancelled
 LambdaSystem assembleLambdaSystem(const SortedPoints& points, const CentreSelection& selection,
                                   FunctionForm form = FunctionForm::normalised,

@@ -35,8 +35,9 @@ std::vector<Variant> variants(const ReconstructionOptions& defaults) {
                          confidence ? "confidence" : "all alike", weights ? "weights" : "no weights"),
              refined, o});
       }
-  for (const double smoothness : {1e-5, 2e-5, 1e-4, 2e-4, 4e-4})
+  for (const double smoothness : {1e-5, 2e-5, 5e-5, 7e-5, 1e-4, 1.4e-4, 2e-4})
     for (const bool weights : {false, true}) {
+      if (smoothness == defaults.smoothness) continue;
       ReconstructionOptions o = defaults;
       o.smoothness = smoothness;
       o.fitWeights = weights;
