@@ -25,7 +25,7 @@ double thesisMinimum(const std::function<double(double sigma)>& error, double sm
 //              with the same outcome
 //   ours       an orthonormal frame for every normal (its own is not defined for one), and supports with too few points
 //              for a quadric get a plane
-//   cost       25 to 30 fits per centre, one thread; 113k points: 1 to 3 s
+//   cost       32 to 45 fits per centre, one thread; 113k points: 0.3 to 0.7 s
 //   errors     Cancelled
 CentreSelection selectThesisCentres(const SortedPoints& points, const ReconstructionOptions& options,
                                     const Progress& progress = {});
