@@ -37,9 +37,6 @@ inline ClosestPoint closestPointOnLine(const glm::vec3& p, const glm::vec3& a, c
 inline ClosestPoint closestPointOnTriangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
                                            const glm::vec3& c) {
   const glm::vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const glm::vec3 area = glm::cross(ab, ac);
-  if (glm::dot(area, area) <= 1e-12f * glm::dot(ab, ab) * glm::dot(ac, ac) || b == c)
-    return closestPointOnLine(p, a, b, c);
   const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {a, {1, 0, 0}};
   const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
@@ -47,21 +44,26 @@ inline ClosestPoint closestPointOnTriangle(const glm::vec3& p, const glm::vec3& 
   const float d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
   const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    const float t = d1 / (d1 - d3);
+  const float squaredAb = d1 - d3;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && squaredAb > 0) {
+    const float t = d1 / squaredAb;
     return {a + t * ab, {1 - t, t, 0}};
   }
   const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    const float t = d2 / (d2 - d6);
+  const float squaredAc = d2 - d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && squaredAc > 0) {
+    const float t = d2 / squaredAc;
     return {a + t * ac, {1 - t, 0, t}};
   }
   const float va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) {
-    const float t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+  const float squaredBc = (d4 - d3) + (d5 - d6);
+  if (va <= 0 && d4 >= d3 && d5 >= d6 && squaredBc > 0) {
+    const float t = (d4 - d3) / squaredBc;
     return {b + t * (c - b), {0, 1 - t, t}};
   }
-  const float scale = 1 / (va + vb + vc), v = vb * scale, w = vc * scale;
+  const float squaredArea = va + vb + vc;  // times four
+  if (squaredArea <= 1e-6f * glm::dot(ab, ab) * glm::dot(ac, ac)) return closestPointOnLine(p, a, b, c);
+  const float scale = 1 / squaredArea, v = vb * scale, w = vc * scale;
   return {a + v * ab + w * ac, {1 - v - w, v, w}};
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostCells = 400, kLeastCells = 100;  // along the longest side
 constexpr double kMostNodes = 1.2e8;
 constexpr double kCellsPerWall = 4, kLeastCellsPerWall = 2.5;
-constexpr int kLargestBlock = 16, kSmallestBlock = 4;  // nodes along a side
+constexpr int kLargestBlock = 16, kCornersTell = 8, kSmallestBlock = 4;  // nodes along a side
 // Values stay this far from zero and below this, in cells: no triangle shrinks to nothing, and where the function
 // jumps the surface lies between the nodes.
 constexpr float kLeastValue = 0.02f, kLargestValue = 3;
@@ -135,18 +135,22 @@ class Solid {
         }
   }
 
+  // Where the wall's border is surely farther than the block is large. That is known from the middle; but beside
+  // another sheet of the surface the function may jump, so small blocks ask their corners too.
   Wall wallIn(const glm::ivec3& first, const glm::ivec3& end, std::uint32_t guess) const {
     const glm::dvec3 low(first), high(end - 1);
     const WallField::Value middle = wall_.at(worldAt(0.5 * (low + high)), guess);
-    const float radius = 0.5f * cell_ * float(glm::length(high - low)), slack = 2 * cell_;
-    if (middle.distance - radius > thickness_ + slack) return {Wall::Known::outside, middle.triangle};
-    bool isInside = middle.isBehind && middle.distance > radius + slack &&
-                    middle.distance + radius < thickness_ - slack && middle.field < -radius;
-    for (int corner = 0; corner < 8 && isInside; ++corner) {
+    const float reach = 0.5f * cell_ * float(glm::length(high - low)) + 2 * cell_;
+    if (middle.distance > thickness_ + reach) return {Wall::Known::outside, middle.triangle};
+    const bool isSmall = end.z - first.z <= kCornersTell;
+    bool isSure = isSmall && std::abs(middle.field) > reach && middle.distance > reach;
+    for (int corner = 0; corner < 8 && isSure; ++corner) {
       const glm::dvec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-      isInside = wall_.at(worldAt(glm::mix(low, high, side)), middle.triangle).field < 0;
+      const WallField::Value at = wall_.at(worldAt(glm::mix(low, high, side)), middle.triangle);
+      isSure = (at.field < 0) == (middle.field < 0);
     }
-    return {isInside ? Wall::Known::inside : Wall::Known::nothing, middle.triangle};
+    if (!isSure) return {Wall::Known::nothing, middle.triangle};
+    return {middle.field < 0 ? Wall::Known::inside : Wall::Known::outside, middle.triangle};
   }
 
   float valueAt(const glm::ivec3& node, const Wall& wall, std::uint32_t& guess) const {

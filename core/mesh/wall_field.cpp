@@ -78,7 +78,7 @@ WallField::Value WallField::at(const glm::vec3& query, std::uint32_t guess) cons
   float field = std::max(place.height, -place.height - thickness_);
   if (field < 4 * cell_)
     if (const auto beyond = beyondRim(query, place)) field = std::max(field, *beyond);
-  return {field, place.distance, place.height < 0 && !place.isBeyond, place.triangle};
+  return {field, place.distance, place.triangle};
 }
 
 }  // namespace sonoskin

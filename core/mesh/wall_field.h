@@ -18,9 +18,8 @@ class WallField {
   WallField(const Mesh& surface, float thickness, float cell);
 
   struct Value {
-    float field = 0;        // < 0 inside; mm near the wall's border
-    float distance = 0;     // from the surface
-    bool isBehind = false;  // on the side of the wall, and not beyond the border
+    float field = 0;     // < 0 inside; mm near the wall's border
+    float distance = 0;  // from the surface
     std::uint32_t triangle = 0;
   };
   Value at(const glm::vec3& query, std::uint32_t guess = 0) const;
@@ -31,8 +30,7 @@ class WallField {
 
   float thickness_, cell_;
   SignedDistance surface_;
-  Mesh
-      rim_;  // the sides of all borders as triangles without area; normals point out of the surface, along it
+  Mesh rim_;  // the sides of all borders as triangles without area; normals lead out of the surface, along it
   std::optional<TriangleTree> rimTree_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -58,6 +59,23 @@ TEST(MeshDistance, ClosestPointEqualsASampledSearch) {
     EXPECT_LT(glm::distance(found.position, found.weights.x * a + found.weights.y * b + found.weights.z * c),
               1e-5f);
     EXPECT_NEAR(found.weights.x + found.weights.y + found.weights.z, 1, 1e-5f);
+  }
+}
+
+TEST(MeshDistance, ClosestPointOfTrianglesWithoutArea) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(-10, 10);
+  const auto point = [&] { return glm::vec3(uniform(random), uniform(random), uniform(random)); };
+  for (int i = 0; i < 2000; ++i) {
+    const glm::vec3 a = point(), b = point(), p = point();
+    const float along = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.f, 1.f);
+    const float expected = glm::distance(p, a + along * (b - a));
+    for (const auto& [x, y, z] : {std::array{a, b, b}, {a, a, b}, {a, b, a}, {a, b, 0.5f * (a + b)}}) {
+      const ClosestPoint found = closestPointOnTriangle(p, x, y, z);
+      EXPECT_NEAR(glm::distance(p, found.position), expected, 1e-4f);
+      EXPECT_NEAR(found.weights.x + found.weights.y + found.weights.z, 1, 1e-5f);
+    }
+    EXPECT_EQ(closestPointOnTriangle(p, a, a, a).position, a);
   }
 }
 
