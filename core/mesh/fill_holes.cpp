@@ -9,6 +9,8 @@
 #include "core/mesh/hole_fairing.h"
 #include "core/mesh/hole_refinement.h"
 #include "core/mesh/hole_triangulation.h"
+#include "core/mesh/self_intersections.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace sonoskin {
 namespace {
@@ -80,6 +82,11 @@ glm::dvec3 unitNormal(const Mesh& mesh, const Triangle& t) {
   return length > 0 ? n / length : glm::dvec3(0);
 }
 
+Corners cornersOf(const Mesh& mesh, const Triangle& t) {
+  return {glm::dvec3(mesh.positions[t[0]]), glm::dvec3(mesh.positions[t[1]]),
+          glm::dvec3(mesh.positions[t[2]])};
+}
+
 // One hole on its way to being filled. Its loop runs against the border, so that the patch is seen from outside.
 class Hole {
  public:
@@ -96,16 +103,21 @@ class Hole {
 
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
-  HolePatch fill(const BorderEdges& edges, const Progress& progress) const {
+  HolePatch fill(const BorderEdges& edges, const TriangleTree& tree, const Progress& progress) const {
     const auto isAllowed = [&](std::uint32_t i, std::uint32_t j) {
       return vertices_[i] != vertices_[j] && !edges.has(vertices_[i], vertices_[j]);
     };
-    HolePatch patch{loop_.points, triangulateLoop(loop_, isAllowed)};
+    HolePatch flat{loop_.points, triangulateLoop(loop_, isAllowed)};
     std::vector<double> sizes = sideLengths();
-    if (patch.triangles.empty()) spanFromTheMiddle(patch, sizes);
-    refinePatch(patch, sizes, isAllowed, progress.part(0, 0.5));
-    fair(patch, progress.part(0.5, 1));
-    return patch;
+    if (flat.triangles.empty()) spanFromTheMiddle(flat, sizes);
+    refinePatch(flat, sizes, isAllowed, progress.part(0, 0.4));
+    HolePatch plate = flat;
+    fair(plate, Fairing::thinPlate, progress.part(0.4, 0.7));
+    const std::size_t crossings = countCrossings(plate, tree);
+    if (crossings == 0) return plate;
+    // Where the surface folds at the border, going on smoothly may lead through it.
+    fair(flat, Fairing::membrane, progress.part(0.7, 1));
+    return countCrossings(flat, tree) < crossings ? flat : plate;
   }
 
  private:
@@ -132,12 +144,30 @@ class Hole {
     sizes.push_back(size);
   }
 
-  void fair(HolePatch& patch, const Progress& progress) const {
+  // With itself and with the mesh.
+  std::size_t countCrossings(const HolePatch& patch, const TriangleTree& tree) const {
+    Mesh alone;
+    for (const glm::dvec3& p : patch.points) alone.positions.emplace_back(p);
+    alone.triangles = patch.triangles;
+    std::size_t count = countSelfIntersections(alone);
+    for (const Triangle& t : alone.triangles) {
+      const Corners corners = cornersOf(alone, t);
+      Box box{alone.positions[t[0]], alone.positions[t[0]]};
+      for (const std::uint32_t v : t)
+        box = {glm::min(box.min, alone.positions[v]), glm::max(box.max, alone.positions[v])};
+      tree.forEachNear(box, [&](std::uint32_t other) {
+        count += trianglesCross(corners, cornersOf(mesh_, mesh_.triangles[other]));
+      });
+    }
+    return count;
+  }
+
+  void fair(HolePatch& patch, Fairing fairing, const Progress& progress) const {
     FairingMesh local{patch.points, {}, patch.triangles};
     local.role.assign(patch.points.size(), FairingMesh::Role::free);
     std::fill_n(local.role.begin(), vertices_.size(), FairingMesh::Role::border);
     addRing(local);
-    fairPoints(local, progress);
+    fairPoints(local, fairing, progress);
     std::copy_n(local.points.begin(), patch.points.size(), patch.points.begin());
   }
 
@@ -206,14 +236,17 @@ Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& pro
   std::erase_if(loops, [&](const Loop& l) {
     return l.size() < 3 || sizeAcross(filled, l, options.largest) > options.largest;
   });
+  if (loops.empty()) return filled;
   BorderEdges edges(filled, loops);
+  const Mesh before = filled;
+  const TriangleTree tree(before);
   const std::size_t first = filled.positions.size();
   progress.update(0.1);
   for (std::size_t l = 0; l < loops.size(); ++l) {
-    const Hole hole(filled, opposite, loops[l]);
+    const Hole hole(before, opposite, loops[l]);
     const double from = 0.1 + 0.9 * double(l) / double(loops.size());
     const double to = 0.1 + 0.9 * double(l + 1) / double(loops.size());
-    const HolePatch patch = hole.fill(edges, progress.part(from, to));
+    const HolePatch patch = hole.fill(edges, tree, progress.part(from, to));
     append(filled, hole.vertices(), patch, edges);
   }
   completeVertices(filled, first);

@@ -35,7 +35,7 @@ struct System {
   Eigen::MatrixX3d right;
 };
 
-System makeSystem(const FairingMesh& mesh, const std::vector<int>& number, int count) {
+System makeSystem(const FairingMesh& mesh, Fairing fairing, const std::vector<int>& number, int count) {
   const std::vector<double> areas = areasAround(mesh);
   System system{{int(mesh.points.size()), count},
                 Eigen::MatrixX3d::Zero(Eigen::Index(mesh.points.size()), 3)};
@@ -49,6 +49,7 @@ System makeSystem(const FairingMesh& mesh, const std::vector<int>& number, int c
   };
   const auto addSide = [&](std::uint32_t row, std::uint32_t other, double cotangent) {
     if (mesh.role[row] == Role::ring || areas[row] <= 0) return;
+    if (fairing == Fairing::membrane && mesh.role[row] != Role::free) return;
     const double weight = 0.5 * cotangent / std::sqrt(areas[row]);
     add(row, other, weight);
     add(row, row, -weight);
@@ -66,7 +67,7 @@ System makeSystem(const FairingMesh& mesh, const std::vector<int>& number, int c
 
 }  // namespace
 
-void fairPoints(FairingMesh& mesh, const Progress& progress) {
+void fairPoints(FairingMesh& mesh, Fairing fairing, const Progress& progress) {
   std::vector<int> number(mesh.points.size(), kNotFree);
   int count = 0;
   for (std::size_t i = 0; i < number.size(); ++i)
@@ -74,7 +75,7 @@ void fairPoints(FairingMesh& mesh, const Progress& progress) {
   if (count == 0) return;
   for (int pass = 0; pass < 2; ++pass) {
     progress.update(0.5 * pass);
-    const System system = makeSystem(mesh, number, count);
+    const System system = makeSystem(mesh, fairing, number, count);
     const Eigen::SparseMatrix<double> normal = system.matrix.transpose() * system.matrix;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
     if (solver.info() != Eigen::Success) return;  // a patch that hangs on nothing stays as it is

@@ -17,11 +17,15 @@ struct FairingMesh {
   std::vector<Triangle> triangles;
 };
 
-// fairPoints: moves the free points so that the patch goes on smoothly from the surface around it.
-//   solves   min Σ_i |Δx_i|² A_i over free and border points, Δ: the cotangents' Laplacian, A_i: the area around a
-//            point; twice, the second time with the cotangents of the first result  [thin plate; Botsch, Kobbelt 2004]
+// Fairing: how a patch is bent.
+//   thinPlate   goes on smoothly from the surface around it: min Σ_i |Δx_i|² A_i over free and border points
+//   membrane    as small as a film of soap: Δx_i = 0 at free points
+// Δ: the cotangents' Laplacian, A_i: the area around a point                             [Botsch, Kobbelt 2004]
+enum class Fairing { thinPlate, membrane };
+
+// fairPoints: moves the free points; twice, the second time with the cotangents of the first result.
 //   cost     10,000 points: 0.1 s
 //   errors   Cancelled
-void fairPoints(FairingMesh& mesh, const Progress& progress = {});
+void fairPoints(FairingMesh& mesh, Fairing fairing, const Progress& progress = {});
 
 }  // namespace sonoskin
