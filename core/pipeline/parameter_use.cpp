@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/rbf/global_basis.h"
+
 namespace sonoskin {
 namespace {
 
@@ -47,12 +49,21 @@ std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
 }
 
 std::string_view reconstructionUse(const ReconstructionOptions& o, std::string_view field) {
-  if (o.method == ReconstructionMethod::global) return {};
+  if (o.method == ReconstructionMethod::global)
+    return field == "method" ? "" : "The global function has parameters of its own";
   if (o.method == ReconstructionMethod::thesis &&
       (field == "neighbours" || field == "maxSupport" || field == "confidence"))
     return "The thesis has it fixed: 20 neighbours, supports of up to 0.07 of the longest axis, all points "
            "alike";
   if (field == "regularisation" && !o.fitWeights) return "No weights are fitted";
+  return {};
+}
+
+bool isGlobal(const Parameters& p) { return p.reconstruction.method == ReconstructionMethod::global; }
+
+std::string_view globalUse(const Parameters& p, std::string_view field) {
+  if (!isGlobal(p)) return "Only used if the reconstruction's method is global";
+  if (field == "width" && !hasWidth(p.global.basis)) return "This basis has no width";
   return {};
 }
 
@@ -67,6 +78,9 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "print" && field != "form" && parameters.print.form == PrintForm::none)
     return "Nothing is printed: the form is none";
   if (group == "surface") return surfaceUse(parameters.surface, field);
+  if (group == "global") return globalUse(parameters, field);
+  if (group == "mesh" && field == "support" && isGlobal(parameters))
+    return "The global function is defined everywhere";
   return {};
 }
 

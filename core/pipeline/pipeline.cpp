@@ -13,7 +13,7 @@
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/parameter_key.h"
 #include "core/pipeline/stage.h"
-#include "core/rbf/csrbf_model.h"
+#include "core/rbf/fitted_surface.h"
 #include "core/rbf/iso_surface.h"
 #include "core/surface/find_surface.h"
 #include "core/volume/resample.h"
@@ -40,7 +40,7 @@ struct Points {
 std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
 std::size_t bytesOf(const Volume<float>& v) { return v.data.size() * sizeof(float); }
 std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points->size() * 28; }
-std::size_t bytesOf(const CsrbfModel& m) { return m.bytes(); }
+std::size_t bytesOf(const FittedSurface& f) { return f.bytes; }
 std::size_t bytesOf(const Mesh& m) { return m.positions.size() * 24 + m.triangles.size() * sizeof(Triangle); }
 std::size_t bytesOf(const std::vector<Mesh>& pieces) {
   std::size_t bytes = 0;
@@ -149,7 +149,7 @@ struct Pipeline::Stages {
   Stage<Prepared> prepared{1};
   Stage<Volume<float>> classified{3};
   Stage<Points> points{3};
-  Stage<CsrbfModel> model{3};
+  Stage<FittedSurface> fitted{3};
   Stage<std::vector<Mesh>> pieces{3};
   Stage<Mesh> piece{3}, mesh{3}, print{1};
   LiveMemory live;
@@ -221,6 +221,12 @@ Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {
       .key();
 }
 
+// Only the options of the chosen method count.
+Key fitKeyOf(const Key& points, const Parameters& p) {
+  if (p.reconstruction.method == ReconstructionMethod::global) return keyOf("fit global 1", points, p.global);
+  return keyOf("fit 2", points, p.reconstruction);
+}
+
 Input enhance(const Scan& scan, const EnhancementOptions& options, double until, Stage<Volume<float>>& memory,
               Run& run) {
   if (options.method == EnhancementMethod::none) return {scan.volume, scan.key};
@@ -283,13 +289,13 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
           "edge, or "
           "lower surface.minClusterArea",
           results.isoValue);
-  const Key fitKey = keyOf("fit 2", pointsKey, parameters.reconstruction);
-  const auto model = run.stage("fit", 0.8, stages_->model, fitKey, [&](const Progress& p) {
-    return fitCsrbf(*results.points, parameters.reconstruction, p);
+  const Key fitKey = fitKeyOf(pointsKey, parameters);
+  const auto fitted = run.stage("fit", 0.8, stages_->fitted, fitKey, [&](const Progress& p) {
+    return fitSurface(*results.points, parameters.reconstruction, parameters.global, p);
   });
-  results.centres = model->centres().size();
-  results.globalError = model->report().globalError;
-  results.globalErrorWithWeights = model->report().globalErrorWithWeights;
+  results.centres = fitted->centres;
+  results.globalError = fitted->report.globalError;
+  results.globalErrorWithWeights = fitted->report.globalErrorWithWeights;
 
   const MeshOptions& mesh = parameters.mesh;
   Hasher surface("surface 2");
@@ -298,7 +304,8 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   const bool cleans = needsCleaning(mesh), prints = parameters.print.form != PrintForm::none;
   const double solid = prints ? 0.85 : 1, cleaned = cleans ? 0.9 * solid : solid;
   results.pieces = run.stage("surface", 0.98 * cleaned, stages_->pieces, surfaceKey, [&](const Progress& p) {
-    return splitPieces(extractIsoSurface(*model, *results.points, mesh, p));
+    const ImplicitFunction function = fitted->function(meshCell(results.points->positions, mesh));
+    return splitPieces(extractIsoSurface(function, *results.points, mesh, p));
   });
   const Key pieceKey = pieceKeyOf(surfaceKey, mesh);
   const auto piece = run.stage("piece", cleaned, stages_->piece, pieceKey, [&](const Progress&) {

@@ -5,23 +5,6 @@
 #include "core/rbf/global_kernels.h"
 
 namespace sonoskin {
-namespace {
-
-// The power p with φ(s r) = s^p φ(r), up to polynomials that the side conditions cancel.
-int homogeneity(GlobalBasis basis) {
-  switch (basis) {
-    case GlobalBasis::biharmonic:
-      return 1;
-    case GlobalBasis::triharmonic:
-      return 3;
-    case GlobalBasis::thinPlate:
-      return 2;
-    default:
-      return 0;  // the width is scaled instead
-  }
-}
-
-}  // namespace
 
 int minimumDegree(GlobalBasis basis) {
   switch (basis) {
@@ -36,9 +19,16 @@ int minimumDegree(GlobalBasis basis) {
   }
 }
 
-bool hasWidth(GlobalBasis basis) { return homogeneity(basis) == 0; }
+bool hasWidth(GlobalBasis basis) {
+  return basis != GlobalBasis::biharmonic && basis != GlobalBasis::triharmonic &&
+         basis != GlobalBasis::thinPlate;
+}
 
-double diagonalFactor(GlobalBasis basis, double scale) { return std::pow(scale, -homogeneity(basis)); }
+double kernelVariation(const RadialKernel& kernel, double distance) {
+  const double squared = distance * distance;
+  if (kernel.basis == GlobalBasis::thinPlate) return squared;
+  return std::abs(kernelValue(kernel, squared) - kernelValue(kernel, 0));
+}
 
 double kernelValue(const RadialKernel& kernel, double squared) {
   KernelChunk chunk = KernelChunk::Constant(1, squared);

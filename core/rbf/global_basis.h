@@ -17,9 +17,9 @@ int minimumDegree(GlobalBasis basis);
 
 bool hasWidth(GlobalBasis basis);
 
-// diagonalFactor: what the diagonal of the system is multiplied by where positions are divided by `scale`, so that
-// the fit stays the same: φ(r) = scale^p φ(r/scale) up to polynomials.
-double diagonalFactor(GlobalBasis basis, double scale);
+// kernelVariation: how much φ changes over a distance: |φ(r) - φ(0)|; r² for thinPlate, whose logarithm depends on the
+// unit. What is measured by it, as the nugget, means the same in any unit and about the same for any basis.
+double kernelVariation(const RadialKernel& kernel, double distance);
 
 // kernelValue, kernelSlope: φ(r) and φ'(r)/r, from r².
 double kernelValue(const RadialKernel& kernel, double squared);

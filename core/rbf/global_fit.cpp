@@ -39,7 +39,7 @@ GreedyFit prepare(const GlobalPoints& points, const GlobalOptions& options) {
   GreedyFit fit{points, options, unitFrame(points.sites), {}, {}, 0, {}, {}, {}, {}};
   fit.sites = toUnit(fit.frame, points.sites);
   fit.kernel = {options.basis, options.width / fit.frame.scale};
-  fit.nugget = options.nugget * diagonalFactor(options.basis, fit.frame.scale);
+  fit.nugget = options.nugget * kernelVariation(fit.kernel, options.offset / fit.frame.scale);
   fit.leaves = splitIntoLeaves(fit.sites, kNeighbourhood);
   require(
       PolynomialSpace(fit.sites, options.degree).isComplete(),
@@ -88,16 +88,20 @@ double tolerated(const GreedyFit& fit, std::size_t point) {
   return std::max(fit.options.accuracy, 0.5 * std::abs(fit.points.values[point]));
 }
 
-// Residuals at all points; notes the largest in the model's report.
+// Residuals at all points; notes in the model's report how large they are.
 std::vector<double> measureResiduals(GreedyFit& fit, const Progress& progress) {
   std::vector<double> residuals = fit.model.values(fit.points.sites, progress);
   GlobalFitReport report = fit.model.report();
   report.largestResidual = report.largestOffSurface = 0;
+  double squares = 0;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     residuals[i] = std::abs(fit.points.values[i] - residuals[i]);
-    double& largest = fit.points.values[i] == 0 ? report.largestResidual : report.largestOffSurface;
+    const bool isOnSurface = i < fit.points.onSurface;
+    double& largest = isOnSurface ? report.largestResidual : report.largestOffSurface;
     largest = std::max(largest, residuals[i]);
+    if (isOnSurface) squares += residuals[i] * residuals[i];
   }
+  if (fit.points.onSurface > 0) report.rmsResidual = std::sqrt(squares / double(fit.points.onSurface));
   fit.model = GlobalRbf(fit.model.parts(), report);
   return residuals;
 }

@@ -35,8 +35,8 @@ struct GlobalOptions {
   double width = 3;
   double offset = 1;
   double offsetShare = 0.5;
-  double accuracy = 0.2;
-  double nugget = 0;
+  double accuracy = 0.5;
+  double nugget = 10;
   double tolerance = 1e-4;
   int maxCentres = 40000;
 };
@@ -57,9 +57,15 @@ void fields(F&& f, O& o) {
   f(Field{"offsetShare", "share of the points that have points off the surface, on both sides"},
     o.offsetShare, Range{0.05, 1.0});
   f(Field{"accuracy",
-          "centres are added until no point is farther from the surface; 0: every point is a centre", "mm"},
+          "points that the surface misses by more become centres, until there are none; 0: every point is "
+          "one",
+          "mm"},
     o.accuracy, Range{0.0, 10.0});
-  f(Field{"nugget", "smoothing: added to the diagonal of the system", "", "rho"}, o.nugget, Range{0.0, 1e6});
+  f(Field{"nugget",
+          "smoothing: added to the diagonal of the system, as a multiple of what the basis changes over the "
+          "offset",
+          "", "rho"},
+    o.nugget, Range{0.0, 1e6});
   f(Field{"tolerance", "residual of the solver, as a share of the right side"}, o.tolerance,
     Range{1e-10, 1e-1, true});
   f(Field{"maxCentres", "more centres than this are refused: time grows with their square", "centres"},

@@ -14,7 +14,8 @@ struct GlobalFitReport {
   int rounds = 0;                // of adding centres
   int steps = 0;                 // of the solver in the last round
   double relativeResidual = 0;   // of the solver
-  double largestResidual = 0;    // mm, over the points on the surface
+  double rmsResidual = 0;        // mm, over the points on the surface
+  double largestResidual = 0;    // mm, likewise
   double largestOffSurface = 0;  // mm, over those beside it
 };
 

@@ -23,7 +23,7 @@ struct SolverOptions {
 // solveGlobal: λ and p of a global system, by FGMRES on the space where Qᵀλ = 0.
 //   values   f at the sites
 //   start    a first guess of λ, or empty; its polynomial part is taken out
-//   cost     5 to 10 products for the harmonic kernels
+//   cost     5 to 10 products for the biharmonic kernel, up to 30 for the triharmonic one
 //   output   what was reached: look at relativeResidual
 //   errors   Cancelled
 //   threads  the result does not depend on their number

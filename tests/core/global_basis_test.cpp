@@ -74,15 +74,17 @@ TEST(GlobalBasis, TheMinimumDegreeIsNeeded) {
   }
 }
 
-// Positions in other units: the same weights up to a factor, if the diagonal goes with it.
-TEST(GlobalBasis, TheDiagonalFactorKeepsTheFit) {
+// Positions in other units: the same function, if the diagonal is measured by the kernel's variation.
+TEST(GlobalBasis, ADiagonalMeasuredByTheVariationKeepsTheFit) {
   const Sites sites = test::randomSites(60);
   const Eigen::VectorXd values = test::randomVector(sites.size());
   Sites scaled;
   for (std::size_t i = 0; i < sites.size(); ++i) scaled.push_back(7.0 * sites[i]);
   for (const GlobalBasis b : kAllBases) {
-    const GlobalSystem one{sites, {b, 0.5}, 1, 0.3 * diagonalFactor(b, 7)};
-    const GlobalSystem seven{scaled, {b, 3.5}, 1, 0.3};
+    const RadialKernel kernel{b, 0.5}, wide{b, 3.5};
+    const GlobalSystem one{sites, kernel, 1, 0.3 * kernelVariation(kernel, 0.1)};
+    const GlobalSystem seven{scaled, wide, 1, 0.3 * kernelVariation(wide, 0.7)};
+    EXPECT_GT(one.nugget, 0) << int(b);
     const SolverOptions exact{1e-13, 100, {}};
     const GlobalSolution a = solveGlobal(one, values, {}, exact), c = solveGlobal(seven, values, {}, exact);
     for (const glm::dvec3 p : {glm::dvec3(0.1, 0.2, -0.3), {0.8, -0.5, 0}})

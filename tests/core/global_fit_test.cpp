@@ -16,6 +16,7 @@ namespace {
 GlobalOptions accurate(double accuracy) {
   GlobalOptions options;
   options.accuracy = accuracy;
+  options.nugget = 0;
   return options;
 }
 
@@ -89,6 +90,24 @@ TEST(GlobalFit, MoreAccuracyTakesMoreCentres) {
   const GlobalRbf coarse = fitGlobal(points, accurate(0.5)), fine = fitGlobal(points, accurate(0.2));
   EXPECT_GT(fine.size(), coarse.size());
   EXPECT_GT(fine.report().rounds, 1);
+}
+
+// A nugget leaves noise out: the surface is smoother, and its centres are missed too.
+TEST(GlobalFit, ANuggetIsSmoother) {
+  const SurfacePoints points = spherePoints(6000, 20, 0.2);
+  GlobalOptions options = accurate(0.5);
+  const auto roughness = [&] {
+    const GlobalRbf model = fitGlobal(points, options);
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); i += 20) {
+      const glm::dvec3 n(points.normals[i]);
+      sum += 1 - glm::dot(glm::normalize(model.gradient(20.0 * n)), n);
+    }
+    return sum;
+  };
+  const double through = roughness();
+  options.nugget = 10;
+  EXPECT_LT(roughness(), 0.5 * through);
 }
 
 // Where points and values are given, every one is met.

@@ -133,5 +133,32 @@ TEST(ParameterUse, PrintingNeedsAForm) {
   EXPECT_TRUE(unusedBecause(p, "print", "thickness").empty());
 }
 
+TEST(ParameterUse, EachMethodOfReconstructionHasItsOwnParameters) {
+  Parameters p;
+  EXPECT_TRUE(unusedBecause(p, "reconstruction", "smoothness").empty());
+  EXPECT_FALSE(unusedBecause(p, "global", "accuracy").empty());
+  EXPECT_TRUE(unusedBecause(p, "mesh", "support").empty());
+  p.reconstruction.method = ReconstructionMethod::global;
+  EXPECT_FALSE(unusedBecause(p, "reconstruction", "smoothness").empty());
+  EXPECT_TRUE(unusedBecause(p, "reconstruction", "method").empty());
+  EXPECT_TRUE(unusedBecause(p, "global", "accuracy").empty());
+  EXPECT_FALSE(unusedBecause(p, "mesh", "support").empty());
+  EXPECT_TRUE(unusedBecause(p, "mesh", "maxGap").empty());
+}
+
+TEST(ParameterUse, OnlySomeBasesHaveAWidth) {
+  Parameters p;
+  p.reconstruction.method = ReconstructionMethod::global;
+  for (const GlobalBasis b : {GlobalBasis::biharmonic, GlobalBasis::triharmonic, GlobalBasis::thinPlate}) {
+    p.global.basis = b;
+    EXPECT_FALSE(unusedBecause(p, "global", "width").empty());
+  }
+  for (const GlobalBasis b : {GlobalBasis::gaussian, GlobalBasis::multiquadric,
+                              GlobalBasis::inverseMultiquadric, GlobalBasis::wendland}) {
+    p.global.basis = b;
+    EXPECT_TRUE(unusedBecause(p, "global", "width").empty());
+  }
+}
+
 }  // namespace
 }  // namespace sonoskin

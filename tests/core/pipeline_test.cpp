@@ -81,6 +81,33 @@ TEST_F(PipelineTest, RepeatsOnlyWhatDependsOnAChange) {
   EXPECT_EQ(back.mesh, first.mesh);
 }
 
+TEST_F(PipelineTest, TheGlobalFunctionFindsTheSameFront) {
+  const Results adaptive = pipeline.run(scan, parameters, Goal::mesh);
+  parameters.reconstruction.method = ReconstructionMethod::global;
+  const Results r = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_EQ(computed(r), (std::vector<std::string>{"fit", "surface", "piece"}));
+  ASSERT_GT(r.mesh->triangles.size(), 1000u);
+  for (const glm::vec3& p : r.mesh->positions)
+    EXPECT_NEAR(glm::length(glm::dvec3(p) - kCentre), kRadius, 0.9);
+  EXPECT_NE(r.centres, adaptive.centres);
+  EXPECT_GT(r.globalError, 0);
+  EXPECT_LT(r.globalError, 0.02);
+}
+
+// The parameters of the other method do not cost a new fit.
+TEST_F(PipelineTest, EachMethodOfReconstructionHasItsOwnKey) {
+  parameters.reconstruction.method = ReconstructionMethod::global;
+  pipeline.run(scan, parameters, Goal::mesh);
+  parameters.reconstruction.smoothness *= 2;
+  EXPECT_TRUE(computed(pipeline.run(scan, parameters, Goal::mesh)).empty());
+  parameters.global.accuracy *= 2;
+  EXPECT_EQ(computed(pipeline.run(scan, parameters, Goal::mesh)).front(), "fit");
+  parameters.reconstruction.method = ReconstructionMethod::adaptive;
+  pipeline.run(scan, parameters, Goal::mesh);
+  parameters.global.accuracy *= 2;
+  EXPECT_TRUE(computed(pipeline.run(scan, parameters, Goal::mesh)).empty());
+}
+
 TEST_F(PipelineTest, OtherPiecesCostNoNewSurface) {
   pipeline.run(scan, parameters, Goal::mesh);
   parameters.mesh.piece = PieceChoice::largest;
