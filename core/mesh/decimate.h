@@ -11,7 +11,7 @@ namespace sonoskin {
 //              as they are. A manifold mesh stays manifold, which may leave some triangles more.
 //   method     quadric errors (meshoptimizer). Collapsing edges can close a narrow place onto itself: then it is done
 //              again with the triangles there kept as they are.
-//   cost       1 million triangles to 100,000: 1 s on one core
+//   cost       180,000 triangles to 18,000: 0.3 s on one core
 //   errors     Cancelled: at once; the library's call cannot be stopped and ends by itself in the background
 Mesh decimateMesh(const Mesh& mesh, std::size_t triangles, const Progress& progress = {});
 

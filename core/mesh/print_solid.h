@@ -16,7 +16,7 @@ namespace sonoskin {
 //            what lies behind it (relief.h), cut by a plane. "Behind" is against the mean of the surface's normals.
 //   accuracy the front lies within a tenth of a cell of the surface except at sharp edges; undercuts of a block that
 //            the mean normal does not see are filled
-//   cost     a surface of 600,000 triangles, 3 mm: 5 s on two cores, 0.3 GB
+//   cost     for 3 mm, in parallel: 180,000 triangles of a face 7 s of one core, 290,000 with many folds about 20 s
 //   errors   Error: form is none, no triangles, or a thickness below 2.5 cells; Cancelled
 //   threads  the result does not depend on their number
 Mesh makePrintSolid(const Mesh& surface, const PrintOptions& options, const Progress& progress = {});

@@ -12,7 +12,7 @@ namespace sonoskin {
 //            likeness (bilateral, widths: mean distance of neighbours; 0.35 between unit normals); then ten times the
 //            vertices follow the normals.    [Zheng, Fu, Au, Tai 2011, local scheme; vertices: Sun, Rosin 2007]
 //            Vertices of a border move along the border only.
-//   cost     1 million triangles: 0.5 s per step on one core
+//   cost     1 million triangles: 0.3 s per step on one core
 //   threads  the result does not depend on their number
 //   errors   Cancelled
 void smoothMesh(Mesh& mesh, int steps, const Progress& progress = {});
