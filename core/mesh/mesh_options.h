@@ -19,7 +19,7 @@ struct MeshOptions {
   double support = 1.0;
   double maxGap = 4;
   PieceChoice piece = PieceChoice::probe;
-  double companions = 1;
+  double companions = 0.15;
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
   double minArea = 0;

@@ -12,6 +12,7 @@ namespace sonoskin {
 namespace {
 
 constexpr std::size_t kBricksPerTask = 128;
+constexpr float kFromNode = 1e-3f;  // cells: a vertex at a node would make triangles without area
 
 // A brick and its upper neighbours; bit a of the index: one brick further along axis a.
 using Neighbours = std::array<std::int32_t, 8>;
@@ -185,7 +186,8 @@ class Mesher {
       const std::size_t to = (last >> node) & 1
                                  ? std::size_t(next) * kBrickNodes + std::size_t(node - 3 * stride)
                                  : from + std::size_t(stride);
-      const float a = field_.value[from], t = a / (a - field_.value[to]);
+      const float a = field_.value[from],
+                  t = std::clamp(a / (a - field_.value[to]), kFromNode, 1 - kFromNode);
       glm::vec3 place(nodePlace(node));
       place[axis] += t;
       result_.mesh.positions[vertex] = corner + field_.cell * place;
