@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 
 pictures=()
 for smoothness in 1e-5 2e-5 5e-5 1e-4; do
-  "$sonoskin" run "$input" --mesh.companions 0.15 --out "$work/$smoothness" --reconstruction.smoothness "$smoothness" --size 720x720 "$@" >"$work/log" 2>&1
+  "$sonoskin" run "$input" --out "$work/$smoothness" --reconstruction.smoothness "$smoothness" --size 720x720 "$@" >"$work/log" 2>&1
   pictures+=(-label "T_sa $smoothness" "$work/$smoothness/mesh.png")
 done
 montage -font "$font" -background '#15171b' -fill '#d8d8d8' -pointsize 28 -geometry 720x720+4+4 -tile 4x1 "${pictures[@]}" "$work/all.png"
