@@ -1,5 +1,6 @@
 #include "core/rbf/brick_field.h"
 
+#include <array>
 #include <bit>
 
 #include "core/base/parallel.h"
@@ -37,56 +38,87 @@ NodeSet cutEdges(const BrickField& field, std::size_t brick, std::int32_t next, 
 
 // Offsets: a set of bricks around one; bit (x + 1) + 3 (y + 1) + 9 (z + 1) is the brick at (x, y, z) from it.
 using Offsets = std::uint32_t;
-Offsets bitOf(const glm::ivec3& offset) {
-  return 1u << (offset.x + 1 + 3 * (offset.y + 1) + 9 * (offset.z + 1));
+constexpr Offsets bitOf(const std::array<int, 3>& offset) {
+  return 1u << (offset[0] + 1 + 3 * (offset[1] + 1) + 9 * (offset[2] + 1));
 }
 
-// The bricks that cells around cut edges reach: one node to either side along the other two axes, and for edges that
-// end in the next brick along the axis there too.
-Offsets neededBy(NodeSet cut, int axis) {
-  const auto side = [](int along, int step) {
-    return step == 0 ? ~NodeSet(0) : kLayer[std::size_t(along)][step < 0 ? 0 : kBrickEdge - 1];
-  };
-  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  Offsets needed = 0;
-  for (int stepB = -1; stepB <= 1; ++stepB)
-    for (int stepC = -1; stepC <= 1; ++stepC) {
-      const NodeSet reaching = cut & side(b, stepB) & side(c, stepC);
-      if (reaching == 0) continue;
-      glm::ivec3 offset(0);
-      offset[b] = stepB, offset[c] = stepC;
-      needed |= bitOf(offset);
-      if ((reaching & kLayer[std::size_t(axis)][kBrickEdge - 1]) == 0) continue;
+// Reach: an edge along an axis that starts at one of these nodes has cells in the brick `here`, and if it ends in the
+// next brick along the axis, in `next` too.
+struct Reach {
+  NodeSet nodes = ~NodeSet(0);
+  Offsets here = 0, next = 0;
+};
+
+// The cells around an edge reach one node to either side along the other two axes.
+constexpr std::array<std::array<Reach, 9>, 3> kReach = [] {
+  std::array<std::array<Reach, 9>, 3> result{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t k = 0; k < 9; ++k) {
+      const std::array<std::size_t, 2> along{(axis + 1) % 3, (axis + 2) % 3};
+      const std::array<int, 2> steps{int(k % 3) - 1, int(k / 3) - 1};
+      Reach& reach = result[axis][k];
+      std::array<int, 3> offset{};
+      for (std::size_t i = 0; i < 2; ++i) {
+        offset[along[i]] = steps[i];
+        if (steps[i] != 0) reach.nodes &= kLayer[along[i]][steps[i] < 0 ? 0 : kBrickEdge - 1];
+      }
+      reach.here = bitOf(offset);
       offset[axis] = 1;
-      needed |= bitOf(offset);
+      reach.next = bitOf(offset);
     }
+  return result;
+}();
+
+// The bricks that the cells around cut edges along an axis reach.
+Offsets neededBy(NodeSet cut, int axis) {
+  const NodeSet ending = cut & kLayer[std::size_t(axis)][kBrickEdge - 1];
+  Offsets needed = 0;
+  for (const Reach& reach : kReach[std::size_t(axis)]) {
+    needed |= cut & reach.nodes ? reach.here : 0;
+    needed |= ending & reach.nodes ? reach.next : 0;
+  }
   return needed;
 }
 
 void activateAround(BrickField& field, const glm::ivec3& place, Offsets needed) {
-  for (needed &= ~bitOf(glm::ivec3(0)); needed; needed &= needed - 1) {
+  for (needed &= ~bitOf({0, 0, 0}); needed; needed &= needed - 1) {
     const int bit = std::countr_zero(needed);
     activate(field, place + glm::ivec3(bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1));
   }
 }
 
-// Adds the bricks that a brick's own edges, and those that end in it, need.
-void grow(BrickField& field, std::size_t brick, std::size_t sampled) {
+// Growth: the bricks that the edges of a brick need: its own, and for each axis those of the brick before that end in it.
+struct Growth {
+  Offsets own = 0;
+  std::array<Offsets, 3> before{};
+};
+
+Growth growthOf(const BrickField& field, std::size_t brick, std::size_t sampled) {
   const auto isSampled = [&](std::int32_t b) { return b >= 0 && std::size_t(b) < sampled; };
   const glm::ivec3 place = field.bricks[brick];
-  Offsets needed = 0;
+  Growth growth;
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 step(0);
     step[axis] = 1;
     const std::int32_t next = field.map.find(place + step), last = field.map.find(place - step);
     if (const NodeSet own = cutEdges(field, brick, isSampled(next) ? next : -1, axis))
-      needed |= neededBy(own, axis);
+      growth.own |= neededBy(own, axis);
     if (!isSampled(last)) continue;
     const NodeSet into = cutEdges(field, std::size_t(last), std::int32_t(brick), axis) &
                          kLayer[std::size_t(axis)][kBrickEdge - 1];
-    if (into) activateAround(field, place - step, neededBy(into, axis));
+    if (into) growth.before[std::size_t(axis)] = neededBy(into, axis);
   }
-  activateAround(field, place, needed);
+  return growth;
+}
+
+void grow(BrickField& field, std::size_t brick, const Growth& growth) {
+  const glm::ivec3 place = field.bricks[brick];
+  activateAround(field, place, growth.own);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 step(0);
+    step[axis] = 1;
+    if (const Offsets needed = growth.before[std::size_t(axis)]) activateAround(field, place - step, needed);
+  }
 }
 
 void resizeSamples(BrickField& field) {
@@ -106,22 +138,34 @@ BrickField sampleBricks(const ImplicitFunction& function, const std::vector<glm:
   field.origin = box.min - margin;
   const float edge = float(kBrickEdge) * field.cell;
   field.map = BrickMap(glm::ivec3((box.max + margin - field.origin) / edge) + 1);
-  for (const glm::vec3& p : points) activate(field, glm::ivec3((p - field.origin) / edge));
+  glm::ivec3 last(-1);
+  for (const glm::vec3& p : points)  // neighbours in the list are often neighbours in space
+    if (const glm::ivec3 brick((p - field.origin) / edge); brick != last) activate(field, last = brick);
 
-  double fraction = 0;
-  for (std::size_t done = 0; done < field.bricks.size();) {
+  const auto forEachNew = [&](std::size_t done, const Progress& part,
+                              const std::function<void(std::size_t)>& f) {
     const std::size_t end = field.bricks.size();
-    resizeSamples(field);
-    const Progress part = progress.part(fraction, fraction + 0.5 * (1 - fraction));
     parallelFor(
         std::ptrdiff_t((end - done + kBricksPerTask - 1) / kBricksPerTask),
         [&](std::ptrdiff_t task) {
           const std::size_t first = done + std::size_t(task) * kBricksPerTask;
-          for (std::size_t b = first; b < std::min(first + kBricksPerTask, end); ++b)
-            if (wanted(field.centre(b))) sampleBrick(function, b, field);
+          for (std::size_t b = first; b < std::min(first + kBricksPerTask, end); ++b) f(b);
         },
         part);
-    for (; done < end; ++done) grow(field, done, end);
+  };
+  double fraction = 0;
+  std::vector<Growth> growth;
+  for (std::size_t done = 0; done < field.bricks.size();) {
+    const std::size_t end = field.bricks.size();
+    resizeSamples(field);
+    growth.resize(end - done);
+    const Progress part = progress.part(fraction, fraction + 0.5 * (1 - fraction));
+    forEachNew(done, part, [&](std::size_t b) {
+      if (wanted(field.centre(b))) sampleBrick(function, b, field);
+    });
+    forEachNew(done, part.cancelOnly(), [&](std::size_t b) { growth[b - done] = growthOf(field, b, end); });
+    for (std::size_t b = done; b < end; ++b) grow(field, b, growth[b - done]);
+    done = end;
     fraction += 0.5 * (1 - fraction);
   }
   return field;

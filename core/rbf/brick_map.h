@@ -42,13 +42,14 @@ class BrickMap {
   static constexpr int kEdge = 8;
   static constexpr std::size_t kBlockSize = std::size_t(kEdge) * kEdge * kEdge;
 
+  // Places are not negative here, and unsigned numbers divide by a shift.
   std::size_t blockIndex(const glm::ivec3& b) const {
-    return (std::size_t(b.z / kEdge) * std::size_t(blocks_.y) + std::size_t(b.y / kEdge)) *
-               std::size_t(blocks_.x) +
-           std::size_t(b.x / kEdge);
+    const glm::uvec3 block = glm::uvec3(b) / unsigned(kEdge);
+    return (std::size_t(block.z) * std::size_t(blocks_.y) + block.y) * std::size_t(blocks_.x) + block.x;
   }
   static std::size_t innerIndex(const glm::ivec3& b) {
-    return std::size_t((b.z % kEdge * kEdge + b.y % kEdge) * kEdge + b.x % kEdge);
+    const glm::uvec3 inner = glm::uvec3(b) % unsigned(kEdge);
+    return std::size_t((inner.z * kEdge + inner.y) * kEdge + inner.x);
   }
 
   glm::ivec3 bricks_{0}, blocks_{0};

@@ -31,6 +31,9 @@ class CentreIndex {
   // more.
   std::span<const std::uint32_t> near(const glm::vec3& x) const;
 
+  // entries: the lists of all cells, one after the other; near() gives a part of it.
+  std::span<const std::uint32_t> entries() const { return list_; }
+
   const std::vector<Centre>& centres() const { return centres_; }
   std::size_t bytes() const {
     return centres_.size() * sizeof(Centre) + (start_.size() + list_.size()) * sizeof(std::uint32_t);

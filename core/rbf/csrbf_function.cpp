@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "core/rbf/sample_block.h"
 
@@ -27,7 +28,11 @@ SampleBlock brickNodes(float cell) {
 class CsrbfBricks {
  public:
   CsrbfBricks(const CsrbfModel& model, float cell, float listCell)
-      : cell_(cell), index_(model.centres(), listCell, brickReach(cell)), nodes_(brickNodes(cell)) {}
+      : cell_(cell), index_(model.centres(), listCell, brickReach(cell)), nodes_(brickNodes(cell)) {
+    spheres_.reserve(index_.entries().size());
+    for (const std::uint32_t n : index_.entries())
+      spheres_.emplace_back(index_.centres()[n].position, index_.centres()[n].support);
+  }
 
   void sampleBrick(const glm::vec3& corner, float* value, float* coverage) const {
     SampleBlock block = nodes_;
@@ -60,16 +65,25 @@ class CsrbfBricks {
   // The centres whose supports come within `radius` of a place.
   template <class F>
   void forEachCentre(const glm::vec3& place, float radius, F&& f) const {
-    for (const std::uint32_t n : index_.near(place)) {
-      const Centre& c = index_.centres()[n];
-      const glm::vec3 d = place - c.position;
-      const float limit = c.support + radius;
-      if (glm::dot(d, d) < limit * limit) f(c);
+    const std::span<const std::uint32_t> near = index_.near(place);
+    const glm::vec4* sphere = spheres_.data() + (near.data() - index_.entries().data());
+    thread_local std::vector<std::uint32_t> hits;
+    hits.resize(std::max(hits.size(), near.size()));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < near.size();
+         ++i) {  // every centre is written, only near ones are kept: no branch
+      const glm::vec3 d = place - glm::vec3(sphere[i]);
+      const float limit = sphere[i].w + radius;
+      hits[count] = near[i];
+      count += glm::dot(d, d) < limit * limit;
     }
+    for (std::size_t i = 0; i < count; ++i) f(index_.centres()[hits[i]]);
   }
 
   float cell_;
   CentreIndex index_;
+  std::vector<glm::vec4>
+      spheres_;  // of the index' entries: two of three are too far away, told without their centres
   SampleBlock nodes_;
 };
 

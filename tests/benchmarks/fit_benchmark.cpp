@@ -6,6 +6,7 @@
 #include <nanoflann.hpp>
 
 #include "core/rbf/csrbf_model.h"
+#include "core/rbf/iso_surface.h"
 #include "core/rbf/lambda_fit.h"
 #include "core/rbf/thesis_centres.h"
 #include "tests/benchmarks/point_input.h"
@@ -43,6 +44,26 @@ void fit(benchmark::State& state) {
 BENCHMARK(fit)
     ->ArgNames({"cloud", "weights"})
     ->ArgsProduct({{scan, relaxedScan, skin113, skin362}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// The whole way from points to a mesh at 400 cells, weights included; asked: 113 thousand points in 0.65 s and 362 thousand
+// in 1.3 s of wall time on two cores.
+void pointsToMesh(benchmark::State& state) {
+  const SurfacePoints& points = cloudOf(state.range(0));  // made before the clock starts
+  ReconstructionOptions options;
+  options.smoothness = 2e-5;
+  options.fitWeights = true;
+  std::size_t triangles = 0;
+  for (auto _ : state)
+    triangles = extractIsoSurface(fitCsrbf(points, options), points, MeshOptions{}).triangles.size();
+  state.counters["points"] = double(points.size());
+  state.counters["triangles"] = double(triangles);
+}
+BENCHMARK(pointsToMesh)
+    ->ArgName("cloud")
+    ->DenseRange(scan, skin362)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

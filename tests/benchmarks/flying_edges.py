@@ -2,7 +2,7 @@
 """flying_edges.py: CPU milliseconds that VTK's vtkFlyingEdges3D takes for the sphere of iso_surface_benchmark.cpp.
 
 By hand: apt-get install python3-vtk9; then run it beside
-build/release/sonoskin_benchmarks --benchmark_filter=Sphere
+build/release/sonoskin_benchmarks --benchmark_filter='Surface/0'
 The grid is full: every node of the box is there before the clock starts; the benchmark evaluates its own.
 """
 import time
