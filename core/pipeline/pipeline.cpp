@@ -2,17 +2,17 @@
 
 #include "core/base/error.h"
 #include "core/base/timer.h"
-#include "core/classification/classify.h"
 #include "core/classification/coarser_options.h"
-#include "core/classification/iso_value.h"
 #include "core/classification/live_classifier.h"
 #include "core/enhancement/diffusion.h"
 #include "core/mesh/clean.h"
 #include "core/mesh/components.h"
 #include "core/mesh/print_solid.h"
 #include "core/pipeline/check_ranges.h"
-#include "core/pipeline/parameter_key.h"
+#include "core/pipeline/choose_piece.h"
+#include "core/pipeline/prepared.h"
 #include "core/pipeline/stage.h"
+#include "core/pipeline/stage_keys.h"
 #include "core/rbf/fitted_surface.h"
 #include "core/rbf/iso_surface.h"
 #include "core/surface/find_surface.h"
@@ -22,14 +22,6 @@ namespace sonoskin {
 namespace {
 
 constexpr double kPreviewTolerance = 1e-2;
-
-// Everything that classification needs of the volume itself.
-struct Prepared {
-  Smoothed smoothed;
-  FieldOfView view;
-  Beam beam;
-  GreyLevels levels;
-};
 
 struct Points {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
@@ -54,20 +46,8 @@ struct Input {
   Key key;
 };
 
-// What lies outside the recorded region is told by the scan's own zeros, which enhancement may blur.
-Prepared prepare(const Scan& scan, const Volume<float>& input, const Parameters& parameters,
-                 const Progress& progress) {
-  Prepared result;
-  result.smoothed = smooth(input, parameters.classification, progress.part(0, 0.7));
-  const Beam beam = beamOf(scan, parameters.scan);
-  result.view = findFieldOfView(scan, beam, progress.part(0.7, 1));
-  result.beam = beamWithin(result.view, beam, scan.volume->geometry, parameters.scan);
-  result.levels = proposeLevels(result.smoothed.lowPassed, result.view, result.beam);
-  return result;
-}
-
-Points findPoints(const Scan& scan, const Volume<float>& classified, const Prepared& prepared, double iso,
-                  const Parameters& parameters, const Progress& progress) {
+Points pointsOf(const Scan& scan, const Volume<float>& classified, const Prepared& prepared, double iso,
+                const Parameters& parameters, const Progress& progress) {
   const SurfaceInput input{*scan.volume,
                            classified,
                            prepared.smoothed.lowPassed,
@@ -79,38 +59,6 @@ Points findPoints(const Scan& scan, const Volume<float>& classified, const Prepa
 }
 
 glm::dvec3 centreOf(const Geometry& g) { return g.toWorld(0.5 * glm::dvec3(g.dims - 1)); }
-
-// The pieces that fill at least `share` of the view that the best one fills: a face and, say, the shoulders beyond
-// a shadow.
-Mesh piecesInView(const std::vector<Mesh>& pieces, const std::vector<double>& shares, double share) {
-  std::vector<Mesh> chosen;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    if (shares[p] >= share) chosen.push_back(pieces[p]);
-  return joinPieces(chosen);
-}
-
-// The piece of the surface that the options ask for.
-Mesh choosePiece(const std::vector<Mesh>& pieces, const MeshOptions& options, const Beam& beam,
-                 const glm::dvec3& middle) {
-  require(!pieces.empty(), "the surface is empty: lower mesh.support or raise mesh.maxGap");
-  switch (options.piece) {
-    case PieceChoice::probe:
-      return piecesInView(pieces, viewShares(pieces, beam, middle), options.companions);
-    case PieceChoice::largest:
-      return pieces.front();
-    case PieceChoice::index:
-      require(std::size_t(options.pieceIndex) < pieces.size(),
-              "mesh.pieceIndex is {}, but the surface has {} pieces, numbered from 0", options.pieceIndex,
-              pieces.size());
-      return pieces[std::size_t(options.pieceIndex)];
-    case PieceChoice::point:
-      return pieces[pieceNearest(pieces,
-                                 {options.piecePoint[0], options.piecePoint[1], options.piecePoint[2]})];
-    case PieceChoice::all:
-      return joinPieces(pieces);
-  }
-  throw std::logic_error("unknown PieceChoice");
-}
 
 // LiveMemory: the classifier of one volume, as long as what was prepared from it stays the same.
 struct LiveMemory {
@@ -141,23 +89,6 @@ struct CoarseLevel {
   Stage<Prepared> prepared{1};
   LiveMemory live;
 };
-
-}  // namespace
-
-struct Pipeline::Stages {
-  Stage<Volume<float>> enhanced{1};
-  Stage<Prepared> prepared{1};
-  Stage<Volume<float>> classified{3};
-  Stage<Points> points{3};
-  Stage<FittedSurface> fitted{3};
-  Stage<std::vector<Mesh>> pieces{3};
-  Stage<Mesh> piece{3}, mesh{3}, print{1};
-  LiveMemory live;
-  Stage<Volume<float>> liveClassified{3};
-  CoarseLevel half, quarter;
-};
-
-namespace {
 
 // One run: hands each stage its slice of the progress and notes what it cost.
 class Run {
@@ -190,53 +121,139 @@ class Run {
   double at_ = 0;
 };
 
-Key preparedKey(const Input& input, const Parameters& p) {
-  Hasher hasher("prepare 3");
-  hasher.add(input.key).add(p.classification.lowPass).add(p.classification.directionScale);
-  addOptions(hasher, p.scan);
-  return hasher.key();
-}
+// Way: what the steps of one run share.
+struct Way {
+  const Scan& scan;
+  const Parameters& parameters;
+  Run& run;
+  Results& results;
+};
 
-template <class Options>
-Key keyOf(const char* stage, const Key& input, const Options& options) {
-  Hasher hasher(stage);
-  hasher.add(input);
-  addOptions(hasher, options);
-  return hasher.key();
-}
+// Start: what classification begins from.
+struct Start {
+  Input input;
+  std::shared_ptr<const Prepared> prepared;
+  Key key;
+};
 
-Key pieceKeyOf(const Key& surface, const MeshOptions& mesh) {
-  Hasher hasher("piece 2");
-  hasher.add(surface).add(mesh.piece).add(mesh.companions).add(mesh.pieceIndex);
-  return hasher.add(std::span<const double>(mesh.piecePoint)).key();
-}
+}  // namespace
 
-Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {
-  Hasher hasher("clean 1");
-  return hasher.add(piece)
-      .add(mesh.minArea)
-      .add(mesh.fillHoles)
-      .add(mesh.smoothing)
-      .add(mesh.triangles)
-      .key();
-}
+// Stages: what is remembered, and the steps that fill it; those return the key of what they made.
+struct Pipeline::Stages {
+  Stage<Volume<float>> enhanced{1};
+  Stage<Prepared> prepared{1};
+  Stage<Volume<float>> classified{3};
+  Stage<Points> points{3};
+  Stage<FittedSurface> fitted{3};
+  Stage<std::vector<Mesh>> pieces{3};
+  Stage<Mesh> piece{3}, mesh{3}, print{1};
+  LiveMemory live;
+  Stage<Volume<float>> liveClassified{3};
+  CoarseLevel half, quarter;
 
-// Only the options of the chosen method count.
-Key fitKeyOf(const Key& points, const Parameters& p) {
-  if (p.reconstruction.method == ReconstructionMethod::global) return keyOf("fit global 1", points, p.global);
-  return keyOf("fit 2", points, p.reconstruction);
-}
+  Input enhance(const Way& way);
+  Start start(const Way& way);
+  Key classify(const Way& way, const Start& start, Goal goal);
+  Key findPoints(const Way& way, const Start& start, const Key& classified);
+  Key findPieces(const Way& way, const Key& points, double until);
+  void finishMesh(const Way& way, const Prepared& prepared, const Key& pieces, double pieceUntil,
+                  double cleanUntil);
+};
 
-Input enhance(const Scan& scan, const EnhancementOptions& options, double until, Stage<Volume<float>>& memory,
-              Run& run) {
-  if (options.method == EnhancementMethod::none) return {scan.volume, scan.key};
-  const Key key = keyOf("enhance 1", scan.key, options);
-  return {run.stage("enhancement", until, memory, key,
-                    [&](const Progress& p) { return diffuse(*scan.volume, options, p); }),
+Input Pipeline::Stages::enhance(const Way& way) {
+  const EnhancementOptions& options = way.parameters.enhancement;
+  if (options.method == EnhancementMethod::none) return {way.scan.volume, way.scan.key};
+  const Key key = keyOf("enhance 1", way.scan.key, options);
+  return {way.run.stage("enhancement", 0.1, enhanced, key,
+                        [&](const Progress& p) { return diffuse(*way.scan.volume, options, p); }),
           key};
 }
 
-}  // namespace
+Start Pipeline::Stages::start(const Way& way) {
+  Start start;
+  start.input = enhance(way);
+  start.key = preparedKey(start.input.key, way.parameters);
+  start.prepared = way.run.stage("low-pass", 0.15, prepared, start.key, [&](const Progress& p) {
+    return prepare(way.scan, *start.input.volume, way.parameters, p);
+  });
+  return start;
+}
+
+// Sliders are answered fast; what a mesh is made from is solved to the tolerance.
+Key Pipeline::Stages::classify(const Way& way, const Start& start, Goal goal) {
+  ClassificationOptions options = way.parameters.classification;
+  if (options.isoValue <= 0) options.isoValue = double(start.prepared->levels.isoValue);
+  way.results.isoValue = options.isoValue;
+  way.results.visibleLevel = double(start.prepared->levels.visible);
+  const Key final = keyOf("classify 2", start.key, options);
+  way.results.isFinal = goal == Goal::mesh || classified.find(final);
+  if (way.results.isFinal) {
+    way.results.classified = way.run.stage("classification", 0.5, classified, final, [&](const Progress& p) {
+      return sonoskin::classify(*start.input.volume, start.prepared->smoothed, options, p);
+    });
+    return final;
+  }
+  const Key key = keyOf("classify live 1", start.key, options);
+  way.results.classified = way.run.stage("classification", 0.5, liveClassified, key, [&](const Progress& p) {
+    return live.classify(start.key, start.input.volume, start.prepared, options, p);
+  });
+  return key;
+}
+
+Key Pipeline::Stages::findPoints(const Way& way, const Start& start, const Key& classifiedKey) {
+  const Key region = keyOf("region", way.scan.erasedKey, way.parameters.region);
+  const Key key =
+      keyOf("points 3", Hasher("in").add(classifiedKey).add(region).key(), way.parameters.surface);
+  const auto found = way.run.stage("points", 0.6, points, key, [&](const Progress& p) {
+    return pointsOf(way.scan, *way.results.classified, *start.prepared, way.results.isoValue, way.parameters,
+                    p);
+  });
+  way.results.thinned = found->thinned;
+  way.results.points = found->points;
+  way.results.echoOffset = found->echoOffset;
+  return key;
+}
+
+// The fit, and all pieces of its surface.
+Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double until) {
+  require(way.results.points->size() > 0,
+          "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
+          "edge, or "
+          "lower surface.minClusterArea",
+          way.results.isoValue);
+  const Key fitKey = fitKeyOf(pointsKey, way.parameters);
+  const auto fit = way.run.stage("fit", 0.8, fitted, fitKey, [&](const Progress& p) {
+    return fitSurface(*way.results.points, way.parameters.reconstruction, way.parameters.global, p);
+  });
+  way.results.centres = fit->centres;
+  way.results.globalError = fit->report.globalError;
+  way.results.globalErrorWithWeights = fit->report.globalErrorWithWeights;
+  const Key key = surfaceKeyOf(fitKey, way.parameters.mesh);
+  way.results.pieces = way.run.stage("surface", until, pieces, key, [&](const Progress& p) {
+    const MeshOptions& options = way.parameters.mesh;
+    const ImplicitFunction function = fit->function(meshCell(way.results.points->positions, options));
+    return splitPieces(extractIsoSurface(function, *way.results.points, options, p));
+  });
+  return key;
+}
+
+// The piece that was asked for, cleaned, and as a solid.
+void Pipeline::Stages::finishMesh(const Way& way, const Prepared& from, const Key& piecesKey,
+                                  double pieceUntil, double cleanUntil) {
+  const MeshOptions& options = way.parameters.mesh;
+  const Key pieceKey = pieceKeyOf(piecesKey, options), cleanKey = cleanKeyOf(pieceKey, options);
+  const auto chosen = way.run.stage("piece", pieceUntil, piece, pieceKey, [&](const Progress&) {
+    return choosePiece(*way.results.pieces, options, from.beam, centreOf(way.scan.volume->geometry));
+  });
+  way.results.mesh = chosen;
+  if (needsCleaning(options))
+    way.results.mesh = way.run.stage("clean", cleanUntil, mesh, cleanKey,
+                                     [&](const Progress& p) { return cleanMesh(*chosen, options, p); });
+  if (way.parameters.print.form != PrintForm::none)
+    way.results.print = way.run.stage(
+        "print", 1, print, keyOf("print 1", cleanKey, way.parameters.print),
+        [&](const Progress& p) { return makePrintSolid(*way.results.mesh, way.parameters.print, p); });
+}
 
 Pipeline::Pipeline() : stages_(std::make_unique<Stages>()) {}
 Pipeline::~Pipeline() = default;
@@ -246,80 +263,17 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   checkRanges(parameters);
   Results results;
   Run run(goal == Goal::classified ? progress.part(0, 2) : progress, stageBegins, results);
-
-  const Input input = enhance(scan, parameters.enhancement, 0.1, stages_->enhanced, run);
-  const Key prepareKey = preparedKey(input, parameters);
-  const auto prepared = run.stage("low-pass", 0.15, stages_->prepared, prepareKey, [&](const Progress& p) {
-    return prepare(scan, *input.volume, parameters, p);
-  });
-
-  ClassificationOptions classification = parameters.classification;
-  if (classification.isoValue <= 0) classification.isoValue = double(prepared->levels.isoValue);
-  results.isoValue = classification.isoValue;
-  results.visibleLevel = double(prepared->levels.visible);
-  // Sliders are answered fast; what a mesh is made from is solved to the tolerance.
-  Key classifyKey = keyOf("classify 2", prepareKey, classification);
-  results.isFinal = goal == Goal::mesh || stages_->classified.find(classifyKey);
-  if (results.isFinal) {
-    results.classified = run.stage(
-        "classification", 0.5, stages_->classified, classifyKey,
-        [&](const Progress& p) { return classify(*input.volume, prepared->smoothed, classification, p); });
-  } else {
-    classifyKey = keyOf("classify live 1", prepareKey, classification);
-    results.classified =
-        run.stage("classification", 0.5, stages_->liveClassified, classifyKey, [&](const Progress& p) {
-          return stages_->live.classify(prepareKey, input.volume, prepared, classification, p);
-        });
-  }
+  const Way way{scan, parameters, run, results};
+  const Start start = stages_->start(way);
+  const Key classified = stages_->classify(way, start, goal);
   if (goal == Goal::classified) return results;
-
-  const Key regionKey = keyOf("region", scan.erasedKey, parameters.region);
-  const Key pointsKey =
-      keyOf("points 3", Hasher("in").add(classifyKey).add(regionKey).key(), parameters.surface);
-  const auto points = run.stage("points", 0.6, stages_->points, pointsKey, [&](const Progress& p) {
-    return findPoints(scan, *results.classified, *prepared, results.isoValue, parameters, p);
-  });
-  results.thinned = points->thinned;
-  results.points = points->points;
-  results.echoOffset = points->echoOffset;
+  const Key points = stages_->findPoints(way, start, classified);
   if (goal == Goal::points) return results;
-
-  require(results.points->size() > 0,
-          "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
-          "edge, or "
-          "lower surface.minClusterArea",
-          results.isoValue);
-  const Key fitKey = fitKeyOf(pointsKey, parameters);
-  const auto fitted = run.stage("fit", 0.8, stages_->fitted, fitKey, [&](const Progress& p) {
-    return fitSurface(*results.points, parameters.reconstruction, parameters.global, p);
-  });
-  results.centres = fitted->centres;
-  results.globalError = fitted->report.globalError;
-  results.globalErrorWithWeights = fitted->report.globalErrorWithWeights;
-
-  const MeshOptions& mesh = parameters.mesh;
-  Hasher surface("surface 2");
-  const Key surfaceKey =
-      surface.add(fitKey).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
-  const bool cleans = needsCleaning(mesh), prints = parameters.print.form != PrintForm::none;
-  const double solid = prints ? 0.85 : 1, cleaned = cleans ? 0.9 * solid : solid;
-  results.pieces = run.stage("surface", 0.98 * cleaned, stages_->pieces, surfaceKey, [&](const Progress& p) {
-    const ImplicitFunction function = fitted->function(meshCell(results.points->positions, mesh));
-    return splitPieces(extractIsoSurface(function, *results.points, mesh, p));
-  });
-  const Key pieceKey = pieceKeyOf(surfaceKey, mesh);
-  const auto piece = run.stage("piece", cleaned, stages_->piece, pieceKey, [&](const Progress&) {
-    return choosePiece(*results.pieces, mesh, prepared->beam, centreOf(scan.volume->geometry));
-  });
-  results.mesh = piece;
-  const Key cleanKey = cleanKeyOf(pieceKey, mesh);
-  if (cleans)
-    results.mesh = run.stage("clean", solid, stages_->mesh, cleanKey,
-                             [&](const Progress& p) { return cleanMesh(*piece, mesh, p); });
-  if (prints)
-    results.print =
-        run.stage("print", 1, stages_->print, keyOf("print 1", cleanKey, parameters.print),
-                  [&](const Progress& p) { return makePrintSolid(*results.mesh, parameters.print, p); });
+  // Shares of the progress: a solid takes most of the time where one is made.
+  const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
+  const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;
+  const Key pieces = stages_->findPieces(way, points, 0.98 * chosen);
+  stages_->finishMesh(way, *start.prepared, pieces, chosen, cleaned);
   return results;
 }
 
@@ -328,7 +282,7 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   checkRanges(parameters);
   Results results;
   Run run(progress, {}, results);
-  const Input input = enhance(scan, parameters.enhancement, 0.1, stages_->enhanced, run);
+  const Input input = stages_->enhance({scan, parameters, run, results});
   const auto halve = [&](Stage<Volume<float>>& memory, const Volume<float>& volume, double until) {
     return run.stage("coarser voxels", until, memory, input.key,
                      [&](const Progress& p) { return halveResolution(volume, p); });
@@ -341,7 +295,7 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   adapted.classification = coarserOptions(
       parameters.classification, coarser.volume->geometry.minSpacing() / scan.volume->geometry.minSpacing());
   adapted.classification.tolerance = kPreviewTolerance;
-  const Key key = preparedKey(input, parameters);
+  const Key key = preparedKey(input.key, parameters);
   const auto prepared = run.stage("low-pass", 0.5, coarse.prepared, key, [&](const Progress& p) {
     return prepare(coarser, *coarser.volume, adapted, p);
   });
