@@ -15,17 +15,33 @@ struct HalfEdge {
   bool ascending;  // runs from low to high
 };
 
-std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh) {
-  std::vector<HalfEdge> halfEdges;
-  halfEdges.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+constexpr std::size_t kBetweenLooks =
+    1 << 15;  // pieces of work between two looks for a cancel: some milliseconds
+
+// By their lower vertex, the higher one, and the triangle: counted into place by the first, so that only few are sorted
+// at a time.
+std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh, const Progress& progress) {
+  std::vector<std::size_t> next(mesh.positions.size() + 1, 0);
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++next[std::min(t[i], t[(i + 1) % 3]) + 1];
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) next[v + 1] += next[v];
+  std::vector<HalfEdge> halfEdges(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t % kBetweenLooks == 0) progress.throwIfCancelled();
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
-      halfEdges.push_back({std::min(a, b), std::max(a, b), std::uint32_t(t), a < b});
+      halfEdges[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), std::uint32_t(t), a < b};
     }
-  std::sort(halfEdges.begin(), halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-  });
+  }
+  auto first = halfEdges.begin();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {  // next[v] is now where the edges of v end
+    if (v % kBetweenLooks == 0) progress.throwIfCancelled();
+    const auto last = halfEdges.begin() + std::ptrdiff_t(next[v]);
+    std::sort(first, last, [](const HalfEdge& a, const HalfEdge& b) {
+      return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
+    });
+    first = last;
+  }
   return halfEdges;
 }
 
@@ -90,18 +106,19 @@ bool isDegenerate(const Mesh& mesh, const Triangle& t) {
   return glm::cross(b - a, c - a) == glm::dvec3(0);
 }
 
-Findings inspect(const Mesh& mesh) {
+Findings inspect(const Mesh& mesh, const Progress& progress) {
   for (const Triangle& t : mesh.triangles)
     require(std::max({t[0], t[1], t[2]}) < mesh.positions.size(),
             "The mesh is damaged: a triangle names a vertex that is not there.");
   Findings findings;
-  const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh);
+  const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh, progress);
   CornerSets corners(3 * mesh.triangles.size());
   const HalfEdge* const end = halfEdges.data() + halfEdges.size();
   for (const HalfEdge* first = halfEdges.data(); first < end;) {
     const HalfEdge* last = first;
     while (last < end && last->low == first->low && last->high == first->high) ++last;
     countEdge(mesh, first, last, corners, findings);
+    if (findings.check.edges % kBetweenLooks == 0) progress.throwIfCancelled();
     first = last;
   }
   countVertices(mesh, corners, findings);
@@ -110,8 +127,8 @@ Findings inspect(const Mesh& mesh) {
 
 }  // namespace
 
-MeshCheck checkMesh(const Mesh& mesh) {
-  MeshCheck check = inspect(mesh).check;
+MeshCheck checkMesh(const Mesh& mesh, const Progress& progress) {
+  MeshCheck check = inspect(mesh, progress).check;
   for (const Triangle& t : mesh.triangles) check.degenerateTriangles += isDegenerate(mesh, t);
   check.euler = std::ptrdiff_t(check.usedVertices) - std::ptrdiff_t(check.edges) +
                 std::ptrdiff_t(mesh.triangles.size());
@@ -119,7 +136,7 @@ MeshCheck checkMesh(const Mesh& mesh) {
 }
 
 std::vector<std::uint32_t> defectiveVertices(const Mesh& mesh) {
-  std::vector<std::uint32_t> vertices = inspect(mesh).defective;
+  std::vector<std::uint32_t> vertices = inspect(mesh, {}).defective;
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
 namespace sonoskin {
@@ -23,9 +24,9 @@ struct MeshCheck {
 };
 
 // checkMesh: counts the defects of a mesh.
-//   cost     O(n log n) time, 16 bytes per half-edge; 1 million triangles in about half a second
-//   errors   Error: a triangle names a vertex that is not there
-MeshCheck checkMesh(const Mesh& mesh);
+//   cost     O(n) time, 16 bytes per half-edge; 1 million triangles in a quarter of a second
+//   errors   Error: a triangle names a vertex that is not there; Cancelled
+MeshCheck checkMesh(const Mesh& mesh, const Progress& progress = {});
 
 // defectiveVertices: those at which the mesh is not manifold or not oriented, in ascending order.
 //   errors   Error: a triangle names a vertex that is not there

@@ -7,7 +7,7 @@ namespace sonoskin {
 
 MeshFacts measureMesh(const Mesh& mesh, const Progress& progress) {
   MeshFacts facts;
-  facts.check = checkMesh(mesh);
+  facts.check = checkMesh(mesh, progress.part(0, 0.3));
   progress.update(0.3);
   facts.triangles = mesh.triangles.size();
   facts.pieces = splitPieces(mesh, progress.part(0.3, 0.4)).size();

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "tests/support/meshes.h"
+
+#include "core/base/error.h"
 
 namespace sonoskin {
 namespace {
@@ -63,6 +66,12 @@ TEST(MeshCheck, RefusesAMissingVertex) {
   Mesh mesh = tetrahedron();
   mesh.triangles[2][1] = 4;
   EXPECT_THROW(checkMesh(mesh), Error);
+}
+
+TEST(MeshCheck, LooksForACancel) {
+  ProgressSink sink;
+  sink.cancel = true;
+  EXPECT_THROW(checkMesh(test::icosphere(2, 1, glm::vec3(0)), Progress(sink)), Cancelled);
 }
 
 }  // namespace
