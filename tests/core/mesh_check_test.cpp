@@ -5,8 +5,6 @@
 #include "core/base/error.h"
 #include "tests/support/meshes.h"
 
-#include "core/base/error.h"
-
 namespace sonoskin {
 namespace {
 
