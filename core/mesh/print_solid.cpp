@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
