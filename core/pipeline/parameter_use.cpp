@@ -67,6 +67,18 @@ std::string_view globalUse(const Parameters& p, std::string_view field) {
   return {};
 }
 
+std::string_view meshUse(const Parameters& p, std::string_view field) {
+  if (field == "support" && isGlobal(p)) return "The global function is defined everywhere";
+  if (field == "resolution" && p.mesh.cell > 0) return "The size of a cell is given in mm";
+  if (field == "companions" && p.mesh.piece != PieceChoice::probe)
+    return "Only used beside the piece in the probe's view";
+  if (field == "pieceIndex" && p.mesh.piece != PieceChoice::index)
+    return "Only used if the piece is chosen by its index";
+  if (field == "piecePoint" && p.mesh.piece != PieceChoice::point)
+    return "Only used if the piece is chosen by a point";
+  return {};
+}
+
 }  // namespace
 
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
@@ -76,11 +88,10 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
     return "Only used if the beams' origin is given";
   if (group == "reconstruction") return reconstructionUse(parameters.reconstruction, field);
   if (group == "print" && field != "form" && parameters.print.form == PrintForm::none)
-    return "Nothing is printed: the form is none";
+    return "Choose a form first: shell or block";
   if (group == "surface") return surfaceUse(parameters.surface, field);
   if (group == "global") return globalUse(parameters, field);
-  if (group == "mesh" && field == "support" && isGlobal(parameters))
-    return "The global function is defined everywhere";
+  if (group == "mesh") return meshUse(parameters, field);
   return {};
 }
 

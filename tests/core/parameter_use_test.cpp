@@ -125,6 +125,25 @@ TEST(ParameterUse, TheLargestPieceNeedsNoStrength) {
   EXPECT_TRUE(unusedBecause(p, "mesh", "strongShare").empty());
 }
 
+TEST(ParameterUse, EachChoiceOfThePieceHasItsOwnParameter) {
+  Parameters p;
+  const auto isUsed = [&](std::string_view field) { return unusedBecause(p, "mesh", field).empty(); };
+  EXPECT_TRUE(isUsed("companions") && !isUsed("pieceIndex") && !isUsed("piecePoint"));
+  p.mesh.piece = PieceChoice::index;
+  EXPECT_TRUE(!isUsed("companions") && isUsed("pieceIndex") && !isUsed("piecePoint"));
+  p.mesh.piece = PieceChoice::point;
+  EXPECT_TRUE(!isUsed("companions") && !isUsed("pieceIndex") && isUsed("piecePoint"));
+  p.mesh.piece = PieceChoice::all;
+  EXPECT_TRUE(!isUsed("companions") && !isUsed("pieceIndex") && !isUsed("piecePoint"));
+}
+
+TEST(ParameterUse, ACellInMillimetresReplacesTheResolution) {
+  Parameters p;
+  EXPECT_TRUE(unusedBecause(p, "mesh", "resolution").empty());
+  p.mesh.cell = 0.3;
+  EXPECT_FALSE(unusedBecause(p, "mesh", "resolution").empty());
+}
+
 TEST(ParameterUse, PrintingNeedsAForm) {
   Parameters p;
   EXPECT_FALSE(unusedBecause(p, "print", "thickness").empty());
