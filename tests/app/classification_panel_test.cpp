@@ -4,38 +4,24 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/preset_row.h"
-#include "app/theme.h"
-#include "app/widgets/widget_rects.h"
 #include "core/pipeline/parameter_use.h"
 #include "core/pipeline/presets.h"
+#include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {
 namespace {
 
-class ClassificationPanel : public testing::Test {
+class ClassificationPanel : public ImGuiTest {
  protected:
+  ClassificationPanel() : ImGuiTest({400, 2000}) {}
   void SetUp() override {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {400, 2000};
-    io.DeltaTime = 1.0f / 60;
-    io.UserData = &rects;
-    loadFonts(1);
-    applyTheme(1);
-    unsigned char* pixels;
-    int width, height;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    ImGuiTest::SetUp();
     frames(2);
   }
-  void TearDown() override { ImGui::DestroyContext(); }
 
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
-      ImGui::NewFrame();
-      ImGui::SetNextWindowPos({0, 0});
-      ImGui::SetNextWindowSize({400, 2000});
-      ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+      beginFrame();
       drawClassificationPanel(workspace);
       ImGui::End();
       ImGui::Render();
@@ -57,7 +43,6 @@ class ClassificationPanel : public testing::Test {
   }
   const Parameters& parameters() { return workspace.session.parameters(); }
 
-  WidgetRects rects;
   Workspace workspace{Parameters{}};
 };
 

@@ -5,39 +5,25 @@
 
 #include <cmath>
 
-#include "app/theme.h"
-#include "app/widgets/widget_rects.h"
 #include "core/classification/classification_options.h"
 #include "core/pipeline/parameters.h"
+#include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {
 namespace {
 
 // FieldsUi: an interface without a window and without OpenGL.
-class FieldsUi : public testing::Test {
+class FieldsUi : public ImGuiTest {
  protected:
+  FieldsUi() : ImGuiTest({600, 2000}) {}
   void SetUp() override {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {600, 2000};
-    io.DeltaTime = 1.0f / 60;
-    io.UserData = &rects;
-    loadFonts(1);
-    applyTheme(1);
-    unsigned char* pixels;
-    int width, height;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    ImGuiTest::SetUp();
     frame();
     frame();
   }
-  void TearDown() override { ImGui::DestroyContext(); }
 
   FieldsEdit frame() {
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({600, 2000});
-    ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+    beginFrame();
     FieldsEdit edit;
     groups(
         [&](const Group& group, auto& options) {
@@ -59,7 +45,6 @@ class FieldsUi : public testing::Test {
     return frame();
   }
 
-  WidgetRects rects;
   Parameters parameters;
 };
 

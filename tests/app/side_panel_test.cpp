@@ -6,37 +6,23 @@
 #include <vector>
 
 #include "app/panels/panels.h"
-#include "app/theme.h"
-#include "app/widgets/widget_rects.h"
+#include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {
 namespace {
 
-class SidePanel : public testing::Test {
+class SidePanel : public ImGuiTest {
  protected:
+  SidePanel() : ImGuiTest({400, 6000}) {}
   void SetUp() override {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {400, 6000};
-    io.DeltaTime = 1.0f / 60;
-    io.UserData = &rects;
-    loadFonts(1);
-    applyTheme(1);
-    unsigned char* pixels;
-    int width, height;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    ImGuiTest::SetUp();
     frames(2);
   }
-  void TearDown() override { ImGui::DestroyContext(); }
 
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       rects.byName.clear();
-      ImGui::NewFrame();
-      ImGui::SetNextWindowPos({0, 0});
-      ImGui::SetNextWindowSize({400, 6000});
-      ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration);
+      beginFrame();
       drawRegionPanel(workspace);
       drawClassificationPanel(workspace);
       drawReconstructionPanel(workspace);
@@ -75,7 +61,6 @@ class SidePanel : public testing::Test {
     return {there, all};
   }
 
-  WidgetRects rects;
   Workspace workspace{Parameters{}};
   const Parameters parameters{};
 };
