@@ -9,6 +9,9 @@
 #include "core/phantom/phantom_options.h"
 #include "core/rbf/global_options.h"
 #include "core/rbf/reconstruction_options.h"
+#include "core/skin/landmark_options.h"
+#include "core/skin/light_options.h"
+#include "core/skin/skin_options.h"
 #include "core/surface/region_options.h"
 #include "core/surface/surface_options.h"
 #include "core/volume/scan_options.h"
@@ -27,6 +30,9 @@ struct Parameters {
   GlobalOptions global;
   MeshOptions mesh;
   PrintOptions print;
+  SkinOptions skin;
+  LightOptions light;
+  LandmarkOptions landmarks;
 };
 
 // Group: the heading of one algorithm's parameters.
@@ -49,6 +55,9 @@ void groups(F&& f, P& p) {
   f(Group{"global", "one function through all points, for reconstruction.method = global"}, p.global);
   f(Group{"mesh", "the triangles"}, p.mesh);
   f(Group{"print", "a solid to print"}, p.print);
+  f(Group{"skin", "what the skin is made of; changes the pictures alone"}, p.skin);
+  f(Group{"light", "the lights on the skin; changes the pictures alone"}, p.light);
+  f(Group{"landmarks", "places of the face, for the colour of lips, lids and cheeks"}, p.landmarks);
 }
 
 // forEachField: calls f(Group, Field, member&, Range...) for every parameter.

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+
+namespace sonoskin {
+
+// Corners: where a triangle's three corners lie in an atlas, in texels from the lower left corner of texel (0,0).
+using Corners = std::array<glm::vec2, 3>;
+
+// Atlas: a flat map of a surface.
+//   chart      per triangle: the number of its chart
+//   corners    per triangle
+//   skirts     triangles that are drawn again beside another chart, so that a blur finds there what lies beside it on
+//              the surface; skirtCorners, skirtChart: where and for which chart. Owners are drawn over skirts.
+struct Atlas {
+  glm::ivec2 size{0};   // texels
+  float texel = 0.15f;  // mm per texel where a chart faces its axis
+  int charts = 0;
+  std::vector<std::uint32_t> chart;
+  std::vector<Corners> corners;
+  std::vector<std::uint32_t> skirts, skirtChart;
+  std::vector<Corners> skirtCorners;
+};
+
+// AtlasOptions: lengths in mm.
+struct AtlasOptions {
+  double texel = 0.15;
+  double skirt = 8;           // three widths of the widest blur
+  double normalLength = 2.5;  // normals are smoothed over this before charts are chosen
+  glm::vec3 front{0, 0, 1};   // unit; the chart that looks this way is favoured
+  int maxSize = 8192;         // texels a side; a larger atlas gets larger texels
+};
+
+// buildAtlas: charts by parallel projection along 14 axes, of which one is `front`.
+//   method   skin specification, section 4.2
+//   cost     1 million triangles: below 2 s on two cores
+//   errors   Cancelled
+Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress = {});
+
+// blockAtlas: every triangle gets a small block of its own. Works for any mesh and has no overlap, but nothing lies
+// beside its neighbours: for point-based diffusion only.
+Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize);
+
+// AtlasCheck: what texture diffusion needs to know about an atlas.
+//   overlap    share of the owned texels that two triangles of one chart claim at different depths
+//   uncovered  share of the area of triangles that no owned texel shows
+//   steep      share of the area whose triangles are stretched more than 1 / 0.3
+//   stretch    largest and 99th percentile of mm per texel, over the nominal one
+struct AtlasCheck {
+  int charts = 0;
+  double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
+  double seamLength = 0;  // mm
+  // good: whether light may be diffused in it.                            [skin specification, section 20]
+  bool good() const { return overlap <= 0.01 && charts <= 60; }
+};
+AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas);
+
+// AtlasVertices: the mesh with vertices of their own on both sides of a seam, to be drawn with the atlas' maps.
+//   uv      0 to 1 over the atlas
+//   source  per vertex: the vertex of the mesh
+struct AtlasVertices {
+  std::vector<glm::vec2> uv;
+  std::vector<std::uint32_t> source;
+  std::vector<Triangle> triangles;
+};
+AtlasVertices splitAtSeams(const Mesh& mesh, const Atlas& atlas);
+
+}  // namespace sonoskin

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include "core/mesh/atlas.h"
+#include "core/mesh/atlas_maps.h"
+#include "core/mesh/mesh.h"
+
+namespace sonoskin {
+
+// SkinQuality: what pictures of skin may cost.
+//   triangles       the mesh is reduced to about so many; 0: all are kept
+//   texel           mm
+//   shadowSize      texels along the side of each light's depth map
+//   shadowTaps      looks into it per texel
+//   detailLayers    of pores and lines, 0 to 2
+struct SkinQuality {
+  int triangles = 0;
+  double texel = 0.15;
+  int shadowSize = 2048;
+  int shadowTaps = 32;
+  int detailLayers = 2;
+};
+
+// fullQuality: for graphics cards and finished pictures; lightQuality: for software renderers.
+SkinQuality fullQuality();
+SkinQuality lightQuality();
+
+// SkinSurface: a mesh made ready to be shown as skin.
+//   atlas        charts; blocks where the check fails (pointBased is true then)
+struct SkinSurface {
+  std::shared_ptr<const Mesh> mesh;  // what is drawn: reduced if the quality asks for it
+  Atlas atlas;
+  AtlasCheck check;
+  AtlasVertices vertices;
+  AtlasMaps maps;
+  bool pointBased = false;
+};
+
+// prepareSkin: everything about a surface that light and camera do not change.
+//   input   mesh   world mm, with normals
+//           front  unit, toward the home view's eye
+//   cost    0.5 M triangles in full quality: about 2 s on two cores
+//   errors  Error: no triangles; Cancelled
+std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
+                                               const SkinQuality& quality, const Progress& progress = {});
+
+}  // namespace sonoskin

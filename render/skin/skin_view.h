@@ -1,0 +1,125 @@
+#pragma once
+
+#include <memory>
+
+#include "core/skin/landmark_options.h"
+#include "core/skin/skin_options.h"
+#include "core/skin/skin_surface.h"
+#include "render/camera.h"
+#include "render/gl/framebuffer.h"
+#include "render/skin/light_rig.h"
+
+namespace sonoskin {
+
+// SkinPass: what is shown: the finished skin, or one of the things that it is made of.
+enum class SkinPass {
+  skin,        // everything
+  undiffused,  // the same without light spreading below the surface
+  irradiance,
+  blur1,
+  blur2,
+  blur3,
+  blur4,
+  blur5,
+  diffused,
+  through,
+  specular,
+  albedo,
+  finish,
+  shadow,
+  occlusion,
+  normal,
+  curvature,
+  stretch,
+  charts
+};
+constexpr std::array<const char*, 19> enumNames(SkinPass) {
+  return {"skin",      "undiffused", "irradiance", "blur1",    "blur2",  "blur3",  "blur4",
+          "blur5",     "diffused",   "through",    "specular", "albedo", "finish", "shadow",
+          "occlusion", "normal",     "curvature",  "stretch",  "charts"};
+}
+
+// SkinLook: everything about the skin's appearance but the surface and the camera.
+struct SkinLook {
+  SkinOptions skin;
+  LandmarkOptions landmarks;
+  LightRig lights;
+};
+
+// GpuSkin: a prepared surface on the GPU: vertices and maps. Several SkinViews may share one.
+class GpuSkin {
+ public:
+  GpuSkin();
+  ~GpuSkin();
+  GpuSkin(GpuSkin&&) noexcept;
+  GpuSkin& operator=(GpuSkin&&) noexcept;
+
+  // set: uploads where the surface is another object than the last time; keeps it alive.
+  void set(std::shared_ptr<const SkinSurface> surface);
+  const SkinSurface* surface() const;
+  const Box& box() const;
+
+  struct Parts;  // for the passes alone
+  const Parts& parts() const { return *parts_; }
+
+ private:
+  std::unique_ptr<Parts> parts_;
+};
+
+// SkinViewInput: what SkinView draws.
+//   supersampling  1 for interaction; 2 for pictures
+//   pass           what is shown
+//   shownPart      left and right limit of the picture's columns that are drawn, 0 to 1: split views draw twice
+//   steps          how many of the light passes may run now; those that are left run with the next draws, and what is
+//                  shown meanwhile is the last complete light
+struct SkinViewInput {
+  const GpuSkin& surface;
+  const Camera& camera;
+  const SkinLook& look;
+  SkinQuality quality;
+  int supersampling = 1;
+  SkinPass pass = SkinPass::skin;
+  glm::vec2 shownPart{0, 1};
+  int steps = 1000;
+};
+
+// SkinView: a surface as skin. Light is computed in the atlas and kept until lights, material or surface change: turning
+// the camera costs the final pass only.
+class SkinView {
+ public:
+  SkinView();
+  ~SkinView();
+  SkinView(SkinView&&) noexcept;
+  SkinView& operator=(SkinView&&) noexcept;
+
+  void draw(const SkinViewInput& input, const gl::Target& target);
+  // complete: whether the last draw showed the light of its own look, not an earlier one.
+  bool complete() const;
+
+  // relight: runs the light passes without drawing; maps: the light in the atlas afterwards, level 0 (irradiance) to 5,
+  // linear RGB with coverage in a; `diffused`: the weighted sum of levels 1 to 5 and the light through thin parts;
+  // `albedo`; `finish` (roughness, gloss, wetness, vernix).
+  void relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
+  const gl::Texture& level(int level) const;
+  const gl::Texture& diffused() const;
+  const gl::Texture& albedo() const;
+  const gl::Texture& finish() const;
+  // setDiffused: puts another answer (the reference's) in the place of the diffused map and keeps it until the light
+  // changes.
+  //   rgba   atlas size, linear; as diffused(), but with all six terms: the irradiance of the first is not added
+  void setDiffused(const std::vector<glm::vec4>& rgba);
+
+  // Timing: milliseconds of the GPU for the passes of the last draw that ran them.
+  struct Timing {
+    double shadow = 0, irradiance = 0, blur = 0, combine = 0, final = 0;
+  };
+  const Timing& timing() const;
+  // mapBytes: memory of the maps on the GPU, the surface's included.
+  std::size_t mapBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sonoskin
