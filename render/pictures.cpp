@@ -12,12 +12,6 @@
 namespace sonoskin {
 namespace {
 
-void checkSize(glm::ivec2 size) {
-  if (size.x < 16 || size.y < 16 || size.x > 8192 || size.y > 8192)
-    throw Error(fmt::format("--size {}x{}: a picture has 16 to 8192 pixels a side", size.x, size.y),
-                Error::Kind::usage);
-}
-
 // voxelsInside: the part of a volume that holds all voxels inside a box of the world.
 Volume<float> voxelsInside(const Volume<float>& volume, const Box& box) {
   const Geometry& g = volume.geometry;
@@ -40,9 +34,15 @@ float aspectOf(glm::ivec2 size) { return float(size.x) / float(size.y); }
 
 }  // namespace
 
+void checkPictureSize(glm::ivec2 size) {
+  if (size.x < 16 || size.y < 16 || size.x > 8192 || size.y > 8192)
+    throw Error(fmt::format("--size {}x{}: a picture has 16 to 8192 pixels a side", size.x, size.y),
+                Error::Kind::usage);
+}
+
 Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, MeshLook look,
                     const PictureOptions& options) {
-  checkSize(options.size);
+  checkPictureSize(options.size);
   context.makeCurrent();
   GpuMesh gpuMesh;
   gpuMesh.set(std::move(mesh));
@@ -61,7 +61,7 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
 
 Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>> volume,
                       const VolumePictureOptions& look, const PictureOptions& options) {
-  checkSize(options.size);
+  checkPictureSize(options.size);
   if (!(look.iso > 0 && look.iso < 1))
     throw Error(fmt::format("an iso-value of {} is not between 0 and 1", look.iso), Error::Kind::usage);
   context.makeCurrent();
@@ -138,7 +138,7 @@ std::optional<std::array<glm::dvec3, 2>> boxOf(Region region, const Geometry& g)
 }  // namespace
 
 Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2 size) {
-  checkSize(size);
+  checkPictureSize(size);
   context.makeCurrent();
   GpuVolume thinned;
   const auto columns = columnsOf(input, thinned);

@@ -23,6 +23,9 @@ struct PictureOptions {
   Beam beam{};                     // what "probe" means
 };
 
+// checkPictureSize: refuses pictures of fewer than 16 or more than 8192 pixels a side.
+void checkPictureSize(glm::ivec2 size);
+
 // pictureOfMesh: the lit surface, four samples per pixel.
 //   mesh    world mm; may be empty (background only)
 //   errors  Error (usage): the camera's text is wrong, or the size is not within 16 to 8192 pixels

@@ -29,6 +29,9 @@ class Framebuffer {
   void bind() const;
   void clear(const glm::vec4& colour) const;  // all colours, and the depth to 1
 
+  // setTexels: fills a colour as Texture::upload does, instead of drawing it.
+  void setTexels(std::size_t index, const void* texels) { colours_[index].upload(texels); }
+
   const Texture& colour(std::size_t index = 0) const { return colours_[index]; }
   const Texture& depth() const { return depth_; }
   glm::ivec2 size() const { return description_.size; }

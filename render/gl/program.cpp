@@ -110,6 +110,9 @@ void Program::set(const char* u, const glm::mat3& v) {
 void Program::set(const char* u, const glm::mat4& v) {
   glProgramUniformMatrix4fv(name(), location(u), 1, GL_FALSE, &v[0][0]);
 }
+void Program::set(const char* u, std::span<const float> v) {
+  glProgramUniform1fv(name(), location(u), GLsizei(v.size()), v.data());
+}
 
 void Program::Traits::destroy(unsigned name) { glDeleteProgram(name); }
 

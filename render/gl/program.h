@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class Program {
   void set(const char* uniform, const glm::ivec3& value);
   void set(const char* uniform, const glm::mat3& value);
   void set(const char* uniform, const glm::mat4& value);
+  void set(const char* array, std::span<const float> values);
 
   unsigned name() const { return object_.name(); }
 

@@ -21,6 +21,8 @@ FormatInfo info(Format format) {
       return {GL_R32F, GL_RED, GL_FLOAT};
     case Format::rg16f:
       return {GL_RG16F, GL_RG, GL_FLOAT};
+    case Format::rg32f:
+      return {GL_RG32F, GL_RG, GL_FLOAT};
     case Format::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case Format::rgba16f:

@@ -7,7 +7,7 @@
 namespace sonoskin::gl {
 
 // Format: what a texel holds.
-enum class Format { r8, r16, r32f, rg16f, rgba8, rgba16f, rgba32f, depth32f };
+enum class Format { r8, r16, r32f, rg16f, rg32f, rgba8, rgba16f, rgba32f, depth32f };
 enum class Filter { nearest, linear };
 enum class Wrap {
   clampToEdge,

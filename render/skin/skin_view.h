@@ -104,6 +104,9 @@ class SkinView {
   const gl::Texture& diffused() const;
   const gl::Texture& albedo() const;
   const gl::Texture& finish() const;
+  // spread: what relight() makes of a given irradiance instead of the lights'.
+  //   irradiance   atlas size, linear RGB premultiplied by coverage in a
+  void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
   // setDiffused: puts another answer (the reference's) in the place of the diffused map and keeps it until the light
   // changes.
   //   rgba   atlas size, linear; as diffused(), but with all six terms: the irradiance of the first is not added

@@ -1,0 +1,189 @@
+#include "render/skin/final_pass.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <cmath>
+
+#include "render/lighting.h"
+#include "render/skin/gpu_skin.h"
+#include "render/surface_shading.h"
+
+namespace sonoskin {
+namespace {
+
+// How shaders/skin/final.frag is compiled for a pass; -1: map.frag shows it.
+int finalVariant(SkinPass pass) {
+  switch (pass) {
+    case SkinPass::skin:
+      return 0;
+    case SkinPass::undiffused:
+      return 1;
+    case SkinPass::diffused:
+      return 2;
+    case SkinPass::specular:
+      return 3;
+    default:
+      return -1;
+  }
+}
+
+// ShownMap: a map and how map.frag turns it into colours.
+struct ShownMap {
+  const gl::Texture* texture = nullptr;
+  int kind = 0, channel = 0;
+  float scale = 1;
+};
+
+ShownMap shownMap(SkinPass pass, const LightPasses& light, const GpuSkin& surface, const gl::Texture& charts,
+                  float exposure) {
+  const GpuSkin::Parts& parts = surface.parts();
+  switch (pass) {
+    case SkinPass::blur1:
+    case SkinPass::blur2:
+    case SkinPass::blur3:
+    case SkinPass::blur4:
+    case SkinPass::blur5:
+      return {&light.level(1 + int(pass) - int(SkinPass::blur1)), 0, 0, exposure};
+    case SkinPass::through:
+      return {&light.through(), 0, 0, exposure};
+    case SkinPass::albedo:
+      return {&light.albedo(), 1, 0, 1};
+    case SkinPass::finish:
+      return {&light.finish(), 1, 0, 1};
+    case SkinPass::shadow:
+      return {&light.visibility(), 2, 0, 1};
+    case SkinPass::occlusion:
+      return {&parts.open, 2, 3, 1};
+    case SkinPass::normal:
+      return {&parts.normal, 3, 0, 1};
+    case SkinPass::curvature:
+      return {&parts.normal, 4, 3, 4};
+    case SkinPass::stretch:
+      return {&parts.stretch, 5, 0, 1 / parts.surface->atlas.texel};
+    case SkinPass::charts:
+      return {&charts, 6, 0, 1};
+    default:
+      return {&light.level(0), 0, 0, exposure};
+  }
+}
+
+void setBackground(gl::Program& program, const Camera& camera) {
+  const Lighting studio = portraitLighting(camera);
+  program.set("backgroundTop", studio.backgroundTop);
+  program.set("backgroundBottom", studio.backgroundBottom);
+}
+
+// Draws go to the shown columns alone.
+void cutColumns(glm::ivec2 size, glm::vec2 part, glm::ivec2 corner = {0, 0}) {
+  const int first = int(std::lround(part.x * float(size.x))), end = int(std::lround(part.y * float(size.x)));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(corner.x + first, corner.y, std::max(end - first, 0), size.y);
+}
+
+}  // namespace
+
+FinalPass::FinalPass()
+    : surfaceProgram_({"skin/surface.vert", "skin/surface.frag"}),
+      surface_({.size = {1, 1},
+                .colours = {gl::Format::rgba16f, gl::Format::rg32f},
+                .depth = gl::Format::depth32f}),
+      samples_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}),
+      detail_(makeDetailTile()),
+      specularTable_(specularTexture()) {}
+
+void FinalPass::drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection) {
+  surface_.fit(size);
+  surface_.clear({});
+  surface_.bind();
+  cutColumns(size, input.shownPart);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  surfaceProgram_.use();
+  surfaceProgram_.set("viewProjection", projection * input.camera.view());
+  input.surface.parts().draw();
+}
+
+void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size,
+                      const glm::mat4& projection) {
+  std::vector<std::string> defines{
+      kindDefine(input.look.lights),
+      fmt::format("DETAIL {}", input.look.skin.detail > 0 ? input.quality.detailLayers : 0),
+      fmt::format("PASS {}", finalVariant(input.pass))};
+  if (light.holdsReference()) defines.emplace_back("REFERENCE");
+  if (input.supersampling > 1) defines.emplace_back("LINEAR");
+  gl::Program& p = programs_.use("skin/final.frag", defines);
+  bindTo(p, "surfaceMap", 0, surface_.colour(0));
+  bindTo(p, "placeMap", 1, surface_.colour(1));
+  bindTo(p, "depthMap", 2, surface_.depth());
+  bindTo(p, "diffusedMap", 3, light.diffused());
+  bindTo(p, "visibilityMap", 4, light.visibility());
+  bindTo(p, "albedoMap", 5, light.albedo());
+  bindTo(p, "finishMap", 6, light.finish());
+  bindTo(p, "specularTable", 7, specularTable_);
+  bindTo(p, "detailTile", 8, detail_.texture);
+  p.set("tileLength", DetailTile::kLength);
+  // The second layer is the tile made larger; its slopes stay the same.
+  p.set("lostSlope", glm::vec2(detail_.meanSlope));
+  p.set("detail", float(input.look.skin.detail));
+  p.set("pixelLength", input.camera.millimetresPerPixel(size.y) / input.camera.distance);
+  p.set("mixBefore", float(input.look.skin.mix));
+  p.set("exposure", input.look.lights.exposure);
+  p.set("firstWeight", glm::vec3(light.skin().diffusion.weights[0]));
+  light.lightMaps().setLights(p, input.look.lights);
+  setBackground(p, input.camera);
+  setScreen(p, input.camera, float(size.x) / float(size.y), projection);
+  gl::drawFullScreen();
+}
+
+void FinalPass::showMap(const SkinViewInput& input, LightPasses& light) {
+  const GpuSkin::Parts& parts = input.surface.parts();
+  if (input.pass == SkinPass::charts && chartsOf_ != parts.number) {
+    charts_ = chartNumbers(*parts.surface);
+    chartsOf_ = parts.number;
+  }
+  const ShownMap shown = shownMap(input.pass, light, input.surface, charts_, input.look.lights.exposure);
+  std::vector<std::string> defines{fmt::format("MAP {}", shown.kind)};
+  if (input.supersampling > 1) defines.emplace_back("LINEAR");
+  gl::Program& p = programs_.use("skin/map.frag", defines);
+  bindTo(p, "surfaceMap", 0, surface_.colour(0));
+  bindTo(p, "placeMap", 1, surface_.colour(1));
+  bindTo(p, "depthMap", 2, surface_.depth());
+  bindTo(p, "map", 3, *shown.texture);
+  p.set("channel", shown.channel);
+  p.set("scale", shown.scale);
+  setBackground(p, input.camera);
+  gl::drawFullScreen();
+}
+
+void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::Target& target) {
+  const glm::ivec2 size = target.size * input.supersampling;
+  const glm::mat4 projection =
+      input.camera.projection(float(target.size.x) / float(target.size.y), input.surface.box());
+  // Some maps are drawn when they are looked at: before the target is bound.
+  if (input.pass == SkinPass::through) light.drawThrough(input.surface);
+  drawSurface(input, size, projection);
+  if (input.supersampling > 1) {
+    samples_.fit(size);
+    samples_.bind();
+  } else {
+    target.bind();
+  }
+  cutColumns(size, input.shownPart, input.supersampling > 1 ? glm::ivec2(0) : target.corner);
+  if (finalVariant(input.pass) < 0) {
+    showMap(input, light);
+  } else {
+    shade(input, light, size, projection);
+  }
+  if (input.supersampling == 1) return;
+  target.bind();
+  cutColumns(target.size, input.shownPart, target.corner);
+  gl::Program& p = programs_.use("skin/resolve.frag", {});
+  bindTo(p, "samples", 0, samples_.colour());
+  p.set("perSide", input.supersampling);
+  gl::drawFullScreen();
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/skin/detail_tile.h"
+#include "render/skin/light_passes.h"
+
+namespace sonoskin {
+
+// FinalPass: from the light in the atlas to the picture: the only part that depends on the camera. The surface is drawn
+// into a small buffer first and every pixel is shaded once.
+class FinalPass {
+ public:
+  FinalPass();
+
+  void draw(const SkinViewInput& input, LightPasses& light, const gl::Target& target);
+
+ private:
+  void drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection);
+  void shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size, const glm::mat4& projection);
+  void showMap(const SkinViewInput& input, LightPasses& light);
+
+  PassPrograms programs_;
+  gl::Program surfaceProgram_;
+  gl::Framebuffer surface_, samples_;
+  DetailTile detail_;
+  gl::Texture specularTable_, charts_;
+  std::uint64_t chartsOf_ = 0;
+};
+
+}  // namespace sonoskin

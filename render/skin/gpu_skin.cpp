@@ -1,0 +1,88 @@
+#include "render/skin/gpu_skin.h"
+
+#include <glad/gl.h>
+
+namespace sonoskin {
+namespace {
+
+template <class T>
+std::vector<T> gather(const std::vector<T>& values, const std::vector<std::uint32_t>& source) {
+  std::vector<T> gathered(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) gathered[i] = values[source[i]];
+  return gathered;
+}
+
+template <class T>
+gl::Texture texture(glm::ivec2 size, gl::Format format, gl::Filter filter, const std::vector<T>& texels) {
+  gl::Texture made({.size = glm::ivec3(size, 0), .format = format, .filter = filter});
+  made.upload(texels.data());
+  return made;
+}
+
+}  // namespace
+
+GpuSkin::GpuSkin() : parts_(std::make_unique<Parts>()) {}
+GpuSkin::~GpuSkin() = default;
+GpuSkin::GpuSkin(GpuSkin&&) noexcept = default;
+GpuSkin& GpuSkin::operator=(GpuSkin&&) noexcept = default;
+
+const SkinSurface* GpuSkin::surface() const { return parts_->surface.get(); }
+const Box& GpuSkin::box() const { return parts_->box; }
+
+void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
+  if (surface == parts_->surface) return;
+  parts_->surface = std::move(surface);
+  ++parts_->number;
+  parts_->upload();
+}
+
+void GpuSkin::Parts::upload() {
+  vertexArray.reset();
+  box = {};
+  if (!surface) return;
+  const Mesh& mesh = *surface->mesh;
+  const auto& source = surface->vertices.source;
+  box = boundingBox(mesh.positions);
+  positions = gl::Buffer(std::span<const glm::vec3>(gather(mesh.positions, source)));
+  normals = gl::Buffer(std::span<const glm::vec3>(gather(mesh.normals, source)));
+  uvs = gl::Buffer(std::span<const glm::vec2>(surface->vertices.uv));
+  indices = gl::Buffer(std::span<const Triangle>(surface->vertices.triangles));
+  vertexArray.emplace();
+  vertexArray->attribute(0, 3, positions);
+  vertexArray->attribute(1, 3, normals);
+  vertexArray->attribute(2, 2, uvs);
+  vertexArray->indices(indices);
+  const AtlasMaps& maps = surface->maps;
+  position = texture(maps.size, gl::Format::rgba32f, gl::Filter::nearest, maps.position);
+  normal = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.normal);
+  open = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.occlusion);
+  stretch = texture(maps.size, gl::Format::rg16f, gl::Filter::nearest, maps.stretch);
+}
+
+void GpuSkin::Parts::draw() const {
+  glBindVertexArray(vertexArray->name());
+  glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+}
+
+std::size_t GpuSkin::Parts::bytes() const {
+  if (!surface) return 0;
+  constexpr std::size_t kTexel = 16 + 8 + 8 + 4;
+  return std::size_t(surface->maps.size.x) * std::size_t(surface->maps.size.y) * kTexel + positions.bytes() +
+         normals.bytes() + uvs.bytes() + indices.bytes();
+}
+
+gl::Texture chartNumbers(const SkinSurface& surface) {
+  const glm::ivec2 size = surface.maps.size;
+  std::vector<float> number(std::size_t(size.x) * std::size_t(size.y), 0.f);
+  for (std::size_t t = 0; t < surface.atlas.corners.size(); ++t) {
+    const Corners& c = surface.atlas.corners[t];
+    const glm::ivec2 low(glm::floor(glm::min(c[0], glm::min(c[1], c[2])))),
+        high(glm::ceil(glm::max(c[0], glm::max(c[1], c[2]))));
+    for (int y = std::max(low.y, 0); y < std::min(high.y + 1, size.y); ++y)
+      for (int x = std::max(low.x, 0); x < std::min(high.x + 1, size.x); ++x)
+        number[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] = float(surface.atlas.chart[t] + 1);
+  }
+  return texture(size, gl::Format::r32f, gl::Filter::nearest, number);
+}
+
+}  // namespace sonoskin

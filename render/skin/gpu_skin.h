@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/gl/buffer.h"
+#include "render/gl/texture.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin {
+
+// GpuSkin::Parts: what the passes read.
+//   vertex inputs  0: position (mm), 1: unit normal, 2: place in the atlas, 0 to 1
+//   position       rgba32f: mm; 1 owned, 0.5 skirt, 0 nothing;  normal: unit, mean curvature;  open: bent normal, share of
+//                  open sky;  stretch: mm per texel;  charts: number of the chart
+struct GpuSkin::Parts {
+  std::shared_ptr<const SkinSurface> surface;
+  std::uint64_t number = 0;  // grows with every surface that is set
+  Box box;
+  std::optional<gl::VertexArray> vertexArray;
+  gl::Buffer positions, normals, uvs, indices;
+  gl::Texture position, normal, open, stretch;
+
+  void upload();
+  // draw: all triangles, with the program in use.
+  void draw() const;
+  glm::ivec2 atlasSize() const { return surface->maps.size; }
+  std::size_t bytes() const;
+};
+
+// chartNumbers: the number of the owning chart per texel, to be looked at.
+gl::Texture chartNumbers(const SkinSurface& surface);
+
+}  // namespace sonoskin

@@ -1,0 +1,100 @@
+#include "render/skin/light_maps.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/skin/gpu_skin.h"
+#include "render/surface_shading.h"
+
+namespace sonoskin {
+namespace {
+
+// A lamp's view toward the middle of a box.
+glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, float& width) {
+  const glm::vec3 way = box.centre() - lamp.position;
+  const float distance = std::max(glm::length(way), 1e-3f), radius = 0.51f * box.diagonal();
+  const glm::vec3 forward = way / distance;
+  // From within the sphere around the box no view sees all of it: the part before the lamp must do.
+  const float half = distance > 1.05f * radius ? std::asin(radius / distance) : glm::radians(70.f);
+  const float near = std::max({distance - radius, 0.02f * radius, 1.f}), far = distance + radius;
+  const glm::mat4 projection = glm::perspective(2 * half, 1.f, near, far);
+  const glm::vec3 up = std::abs(forward.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+  terms = depthTerms(projection);
+  width = 2 * std::tan(half) * distance;
+  return projection * glm::lookAt(lamp.position, lamp.position + forward, up);
+}
+
+}  // namespace
+
+std::string kindDefine(const LightRig& lights) { return fmt::format("KIND {}", int(lights.lights[0].kind)); }
+
+LightMaps::LightMaps() : program_({"skin/light_depth.vert", "skin/light_depth.frag"}) {
+  for (Map& map : maps_)
+    map.target =
+        gl::Framebuffer({.size = {1, 1}, .colours = {gl::Format::rg32f}, .depth = gl::Format::depth32f});
+}
+
+void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, int size) {
+  for (std::size_t i = 0; i < lights.lights.size(); ++i) {
+    const SkinLight& light = lights.lights[i];
+    Map& map = maps_[i];
+    map.target.fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+    if (!light.shadows) continue;
+    glm::mat4 view;
+    float width = 1;
+    if (light.kind == LightKind::far) {
+      const LightView far(light.position, surface.box());
+      view = far.projection();
+      width = 2 * far.radius;
+      map.terms = {width, 0};
+    } else {
+      view = lampView(light, surface.box(), map.terms, width);
+    }
+    map.texel = width / float(size);
+    map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
+    map.target.clear({});
+    map.target.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glDisable(GL_BLEND);
+    program_.use();
+    program_.set("viewProjection", view);
+    surface.parts().draw();
+    glDisable(GL_CULL_FACE);
+  }
+}
+
+void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
+  for (std::size_t i = 0; i < LightRig::kMost; ++i) {
+    const SkinLight light =
+        i < lights.lights.size() ? lights.lights[i] : SkinLight{.colour = glm::vec3(0), .shadows = false};
+    const auto set = [&](const char* member, const auto& value) {
+      program.set(fmt::format("lights[{}].{}", i, member).c_str(), value);
+    };
+    set("position", light.position);
+    set("colour", light.colour);
+    set("reach", light.reach);
+    set("softness", light.softness);
+    set("shadows", light.shadows ? 1.f : 0.f);
+    set("toMap", maps_[i].toMap);
+    set("terms", maps_[i].terms);
+    set("texel", maps_[i].texel);
+  }
+  for (std::size_t k = 0; k < lights.environment.size(); ++k)
+    program.set(fmt::format("environment[{}]", k).c_str(), lights.environment[k]);
+}
+
+std::size_t LightMaps::bytes() const {
+  std::size_t sum = 0;
+  for (const Map& map : maps_)
+    sum += std::size_t(map.target.size().x) * std::size_t(map.target.size().y) * 12;
+  return sum;
+}
+
+}  // namespace sonoskin

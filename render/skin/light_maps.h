@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/skin/light_rig.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin {
+
+// LightMaps: what each shadowing light sees of the surface: depths, and where in the atlas it is. Triangles that face
+// away are left out: an open shell that is lit from behind would glow all over.
+//   a modified translucent shadow map                                   [GPU Gems 3, ch. 14.5.4; skin specification, section 6]
+class LightMaps {
+ public:
+  LightMaps();
+
+  void draw(const GpuSkin& surface, const LightRig& lights, int size);
+  // setLights: the uniforms of shaders/skin/lights.glsl.
+  void setLights(gl::Program& program, const LightRig& lights) const;
+  const gl::Texture& depth(int light) const { return maps_[std::size_t(light)].target.depth(); }
+  const gl::Texture& place(int light) const { return maps_[std::size_t(light)].target.colour(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Map {
+    gl::Framebuffer target;
+    glm::mat4 toMap{1};  // world -> 0 .. 1
+    glm::vec2 terms{0};  // see lights.glsl
+    float texel = 1;     // mm
+  };
+  gl::Program program_;
+  std::array<Map, LightRig::kMost> maps_;
+};
+
+// kindDefine: the define of shaders/skin/lights.glsl for a rig.
+std::string kindDefine(const LightRig& lights);
+
+}  // namespace sonoskin

@@ -1,0 +1,326 @@
+#include "render/skin/light_passes.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <cmath>
+
+#include "core/pipeline/parameter_key.h"
+#include "render/skin/blur_kernel.h"
+#include "render/skin/gpu_skin.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr double kThinSmoothing = 0.75;  // mm: what comes through a plate is spread by it
+
+Hasher& addVector(Hasher& hasher, const glm::vec3& v) { return hasher.add(v.x).add(v.y).add(v.z); }
+
+gl::Framebuffer map(std::vector<gl::Format> formats) {
+  return gl::Framebuffer({.size = {1, 1}, .colours = std::move(formats), .filter = gl::Filter::linear});
+}
+
+glm::vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+void setLandmarks(gl::Program& program, const LandmarkOptions& l) {
+  program.set("rightEye", vec(l.rightEye));
+  program.set("leftEye", vec(l.leftEye));
+  program.set("noseTip", vec(l.noseTip));
+  program.set("mouthRight", vec(l.mouthRight));
+  program.set("mouthLeft", vec(l.mouthLeft));
+  program.set("eyesSet", isSet(l.rightEye) && isSet(l.leftEye) ? 1.f : 0.f);
+  program.set("noseSet", isSet(l.noseTip) ? 1.f : 0.f);
+  program.set("mouthSet", isSet(l.mouthRight) && isSet(l.mouthLeft) ? 1.f : 0.f);
+}
+
+}  // namespace
+
+SkinTables::SkinTables(const SkinMaterial& m) {
+  std::vector<glm::vec4> albedo;
+  for (const glm::vec3& c : m.pigments.albedo) albedo.emplace_back(c, 1);
+  pigments = gl::Texture({.size = {PigmentTable::kMelanin, PigmentTable::kBlood, PigmentTable::kOxygen},
+                          .format = gl::Format::rgba16f});
+  pigments.upload(albedo.data());
+  std::vector<glm::vec4> through;
+  for (const glm::vec3& t : m.transmittance) through.emplace_back(t, 1);
+  transmittance = gl::Texture({.size = {SkinMaterial::kSteps, 1, 0}, .format = gl::Format::rgba16f});
+  transmittance.upload(through.data());
+}
+
+LightPasses::LightPasses()
+    : material_(map({gl::Format::rgba16f, gl::Format::rgba8})),
+      irradiance_(map({gl::Format::rgba16f, gl::Format::rgba8, gl::Format::rgba16f})),
+      spare_(map({gl::Format::rgba16f})),
+      diffused_(map({gl::Format::rgba16f})),
+      through_(map({gl::Format::rgba16f})) {
+  specularTable_ = specularTexture();
+  for (gl::Framebuffer& level : levels_) level = map({gl::Format::rgba16f});
+  for (gl::Framebuffer& thin : thin_) thin = map({gl::Format::rgba16f});
+}
+
+LightPasses::Keys LightPasses::keysOf(const GpuSkin& surface, const SkinLook& look,
+                                      const SkinQuality& quality) {
+  // What only the final pass reads, or only the blurs, must not light the skin anew.
+  SkinOptions material = look.skin;
+  material.detail = 0;
+  SkinOptions before = material;
+  before.profile = {};
+  before.width = before.translucency = 0;
+  before.thinModel = {};
+  before.gaussians = 1;
+  before.absorption = before.scattering = {1, 1, 1};
+  Keys keys;
+  Hasher made("skin material");
+  made.add(surface.parts().number);
+  addOptions(made, before);
+  addOptions(made, look.landmarks);
+  keys.material = made.key();
+  Hasher maps("light maps");
+  maps.add(surface.parts().number).add(quality.shadowSize);
+  for (const SkinLight& light : look.lights.lights)
+    addVector(maps, light.position).add(light.kind).add(light.shadows);
+  keys.lightMaps = maps.key();
+  Hasher lit("irradiance");
+  lit.add(keys.material).add(keys.lightMaps).add(quality.shadowTaps);
+  for (const SkinLight& light : look.lights.lights)
+    addVector(lit, light.colour).add(light.reach).add(light.softness);
+  for (const glm::vec3& c : look.lights.environment) addVector(lit, c);
+  keys.irradiance = lit.key();
+  Hasher spread("spread");
+  spread.add(keys.irradiance);
+  addOptions(spread, material);
+  keys.blur = spread.key();
+  return keys;
+}
+
+bool LightPasses::shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const {
+  return finished() && done_ == keysOf(surface, look, quality);
+}
+
+void LightPasses::begin(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) {
+  const glm::ivec2 size = surface.parts().atlasSize();
+  if (!finished() && size == size_) return;
+  const Keys keys = keysOf(surface, look, quality);
+  if (finished() && keys == done_) return;
+  fit(size);
+  adopt(look, quality);
+  wanted_ = keys;
+  nextLevel_ = 1;
+  next_ = !(keys.material == done_.material)       ? kMaterial
+          : !(keys.lightMaps == done_.lightMaps)   ? kLightMaps
+          : !(keys.irradiance == done_.irradiance) ? kIrradiance
+                                                   : kBlur;
+}
+
+void LightPasses::adopt(const SkinLook& look, const SkinQuality& quality) {
+  if (!tables_.pigments || !(look.skin == look_.skin)) {
+    skin_ = makeSkinMaterial(look.skin);
+    tables_ = SkinTables(skin_);
+  }
+  look_ = look;
+  quality_ = quality;
+}
+
+void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,
+                         const std::vector<glm::vec4>& irradiance) {
+  fit(surface.parts().atlasSize());
+  SkinLook look{skin, {}, {}};
+  look.lights.lights.resize(1);
+  look.lights.lights[0] = {.colour = glm::vec3(0), .shadows = false};
+  adopt(look, quality_);
+  material_.clear(glm::vec4(1));
+  irradiance_.clear({});
+  irradiance_.setTexels(0, irradiance.data());
+  wanted_ = {};
+  nextLevel_ = 1;
+  next_ = kBlur;
+  while (step(surface)) {
+  }
+}
+
+void LightPasses::fit(glm::ivec2 size) {
+  if (size == size_) return;
+  size_ = size;
+  done_ = {};
+  for (gl::Framebuffer* f : {&material_, &irradiance_, &spare_, &diffused_}) f->fit(size);
+  for (gl::Framebuffer& level : levels_) level.fit(size);
+  thin_[0].fit(size);
+  diffused_.clear({});
+}
+
+bool LightPasses::step(const GpuSkin& surface) {
+  glDisable(GL_BLEND);
+  switch (next_) {
+    case kMaterial:
+      drawMaterial(surface);
+      next_ = wanted_.lightMaps == done_.lightMaps ? kIrradiance : kLightMaps;
+      return true;
+    case kLightMaps:
+      lightMaps_.draw(surface, look_.lights, quality_.shadowSize);
+      next_ = kIrradiance;
+      return true;
+    case kIrradiance:
+      drawIrradiance(surface);
+      next_ = kBlur;
+      return true;
+    case kBlur:
+      blurLevel(surface, nextLevel_);
+      if (++nextLevel_ == kLevels) next_ = kThin;
+      return true;
+    case kThin:
+      blurThin(surface);
+      next_ = kCombine;
+      return true;
+    case kCombine:
+      combine(surface, 0, diffused_);
+      reference_ = false;
+      done_ = wanted_;
+      next_ = kDone;
+      return true;
+    default:
+      return false;
+  }
+}
+
+void LightPasses::drawMaterial(const GpuSkin& surface) {
+  const SkinOptions& o = look_.skin;
+  gl::Program& p = programs_.use("skin/material.frag", {});
+  bindTo(p, "positionMap", 0, surface.parts().position);
+  bindTo(p, "normalMap", 1, surface.parts().normal);
+  bindTo(p, "openMap", 2, surface.parts().open);
+  bindTo(p, "pigments", 3, tables_.pigments);
+  p.set("melaninRange", glm::vec2(PigmentTable::kLeastMelanin, PigmentTable::kMostMelanin));
+  p.set("bloodRange", glm::vec2(PigmentTable::kLeastBlood, PigmentTable::kMostBlood));
+  const std::pair<const char*, double> numbers[] = {
+      {"melanin", o.melanin}, {"blood", o.blood},       {"oxygen", o.oxygen},
+      {"flush", o.flush},     {"mottling", o.mottling}, {"vernix", o.vernix},
+      {"wetness", o.wetness}, {"gloss", o.gloss},       {"roughness", o.roughness}};
+  for (const auto& [name, value] : numbers) p.set(name, float(value));
+  p.set("vernixAlbedo", skin_.vernix);
+  p.set("painted", o.colour == SkinColour::pigments ? 1.f : 0.f);
+  setLandmarks(p, look_.landmarks);
+  material_.bind();
+  gl::drawFullScreen();
+}
+
+void LightPasses::drawIrradiance(const GpuSkin& surface) {
+  gl::Program& p = programs_.use("skin/irradiance.frag",
+                                 {kindDefine(look_.lights), fmt::format("TAPS {}", quality_.shadowTaps)});
+  bindTo(p, "positionMap", 0, surface.parts().position);
+  bindTo(p, "normalMap", 1, surface.parts().normal);
+  bindTo(p, "openMap", 2, surface.parts().open);
+  bindTo(p, "albedoMap", 3, albedo());
+  bindTo(p, "finishMap", 4, finish());
+  bindTo(p, "specularTable", 5, specularTable_);
+  for (int i = 0; i < LightRig::kMost; ++i) {
+    bindTo(p, fmt::format("depthMaps[{}]", i), 6 + i, lightMaps_.depth(i));
+    bindTo(p, fmt::format("placeMaps[{}]", i), 9 + i, lightMaps_.place(i));
+  }
+  lightMaps_.setLights(p, look_.lights);
+  p.set("mixBefore", float(look_.skin.mix));
+  p.set("density", float(look_.skin.density));
+  irradiance_.bind();
+  gl::drawFullScreen();
+}
+
+const gl::Texture& LightPasses::level(int level) const {
+  const int shown = shownLevel_[std::size_t(level)];
+  return shown == 0 ? irradiance_.colour(0) : levels_[std::size_t(shown - 1)].colour();
+}
+
+void LightPasses::blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
+                       gl::Framebuffer& to) {
+  const BlurKernel kernel = makeBlurKernel(blurSpacing(sigma, surface.surface()->atlas.texel, smoothed));
+  gl::Program& p = programs_.use("skin/blur.frag", {});
+  bindTo(p, "stretchMap", 1, surface.parts().stretch);
+  p.set("sigma", float(sigma));
+  p.set("taps", int(kernel.places.size()) - 1);
+  p.set("places", std::span<const float>(kernel.places));
+  p.set("weights", std::span<const float>(kernel.weights));
+  bindTo(p, "light", 0, from);
+  p.set("axis", glm::vec2(1, 0));
+  spare_.bind();
+  gl::drawFullScreen();
+  bindTo(p, "light", 0, spare_.colour());
+  p.set("axis", glm::vec2(0, 1));
+  to.bind();
+  gl::drawFullScreen();
+}
+
+// The narrowest Gaussian is taken as sharp: it is narrower than a texel, and the final pass has it at the picture's
+// resolution. So the second one gets its whole variance.
+void LightPasses::blurLevel(const GpuSkin& surface, int level) {
+  const auto at = std::size_t(level);
+  const auto& v = skin_.diffusion.variances;
+  const double before = level == 1 ? 0 : v[at - 1], added = v[at] - before;
+  shownLevel_[0] = 0;
+  shownLevel_[at] = shownLevel_[at - 1];
+  if (added < 1e-6) return;
+  blur(surface, this->level(level - 1), std::sqrt(added), std::sqrt(before), levels_[at - 1]);
+  shownLevel_[at] = level;
+}
+
+void LightPasses::blurThin(const GpuSkin& surface) {
+  const gl::Texture& depth = irradiance_.colour(2);
+  if (look_.skin.thinModel == ThinModel::slab) {
+    blur(surface, depth, kThinSmoothing, 0, thin_[0]);
+    return;
+  }
+  // The depth that Gaussian i meets is blurred as far as level i - 1.                       [skin specification, section 9.2]
+  const auto& v = skin_.diffusion.variances;
+  for (gl::Framebuffer& thin : thin_) thin.fit(size_);
+  double before = 0;
+  const gl::Texture* from = &depth;
+  for (std::size_t k = 0; k < thin_.size(); ++k) {
+    const double added = std::max(v[k + 2] - before, 1e-4);
+    blur(surface, *from, std::sqrt(added), std::sqrt(before), thin_[k]);
+    before += added;
+    from = &thin_[k].colour();
+  }
+}
+
+void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffer& to) {
+  const bool slab = look_.skin.thinModel == ThinModel::slab;
+  gl::Program& p = programs_.use("skin/combine.frag", {kindDefine(look_.lights), slab ? "SLAB" : "GAUSSIANS",
+                                                       fmt::format("PART {}", part)});
+  bindTo(p, "positionMap", 0, surface.parts().position);
+  bindTo(p, "normalMap", 1, surface.parts().normal);
+  bindTo(p, "albedoMap", 2, albedo());
+  bindTo(p, "transmittance", 3, tables_.transmittance);
+  const auto& d = skin_.diffusion;
+  for (int i = 0; i < kLevels; ++i) {
+    bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
+    p.set(fmt::format("weights[{}]", i).c_str(), glm::vec3(d.weights[std::size_t(i)]));
+  }
+  for (int i = 0; i < 3; ++i) {
+    bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin_[slab ? 0 : std::size_t(i)].colour());
+    bindTo(p, fmt::format("placeMaps[{}]", i), 13 + i, lightMaps_.place(i));
+  }
+  lightMaps_.setLights(p, look_.lights);
+  p.set("variances", glm::vec3(d.variances[3], d.variances[4], d.variances[5]));
+  p.set("reach", float(SkinMaterial::kReach));
+  p.set("translucency", float(look_.skin.translucency));
+  p.set("mixBefore", float(look_.skin.mix));
+  to.bind();
+  gl::drawFullScreen();
+}
+
+void LightPasses::drawThrough(const GpuSkin& surface) {
+  through_.fit(size_);
+  combine(surface, 1, through_);
+}
+
+void LightPasses::setDiffused(const std::vector<glm::vec4>& rgba) {
+  diffused_.setTexels(0, rgba.data());
+  reference_ = true;
+}
+
+std::size_t LightPasses::bytes() const {
+  const auto texels = std::size_t(size_.x) * std::size_t(size_.y);
+  std::size_t perTexel = (8 + 4) + (8 + 4 + 8) + 8 + 8 + 5 * 8 + 8;
+  if (thin_[1].size() == size_) perTexel += 16;
+  if (through_.size() == size_) perTexel += 8;
+  return texels * perTexel + lightMaps_.bytes();
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+
+#include "core/base/hash.h"
+#include "core/skin/skin_material.h"
+#include "render/gl/gpu_timer.h"
+#include "render/skin/light_maps.h"
+#include "render/skin/pass_programs.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin {
+
+// SkinTables: a material's tables as textures.
+struct SkinTables {
+  gl::Texture pigments, transmittance;
+  SkinTables() = default;
+  explicit SkinTables(const SkinMaterial& material);
+};
+
+// LightPasses: from lights and material to the light in the atlas, one pass at a time; what has not changed is kept.
+//   material -> light maps -> irradiance -> blurs 2 to 6 -> blurs of the depth -> weighted sum
+// None of it depends on the camera.
+class LightPasses {
+ public:
+  LightPasses();
+
+  // begin: what the steps work toward. A look whose passes are under way is finished first, so that light that is
+  // dragged about is seen at all.
+  void begin(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
+  // step: runs the next pass; false when nothing was left to do.
+  bool step(const GpuSkin& surface);
+  bool finished() const { return next_ == kDone; }
+  // shows: whether the finished maps are those of a look.
+  bool shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const;
+
+  static constexpr int kLevels = GaussianSum::kCount;
+  // level: 0 the irradiance, i the first i+1 Gaussians' blur; premultiplied by coverage in a.
+  const gl::Texture& level(int level) const;
+  const gl::Texture& albedo() const { return material_.colour(0); }
+  const gl::Texture& finish() const { return material_.colour(1); }
+  const gl::Texture& visibility() const { return irradiance_.colour(1); }
+  // diffused: Gaussians 2 to 6 and light through thin parts, of the last look that was finished.
+  const gl::Texture& diffused() const { return diffused_.colour(); }
+  // drawThrough: makes `through`: light through thin parts alone.
+  void drawThrough(const GpuSkin& surface);
+  const gl::Texture& through() const { return through_.colour(); }
+  const SkinMaterial& skin() const { return skin_; }
+  LightMaps& lightMaps() { return lightMaps_; }
+  // spread, setDiffused: see SkinView.
+  void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
+  void setDiffused(const std::vector<glm::vec4>& rgba);
+  bool holdsReference() const { return reference_; }
+
+  SkinView::Timing timing;
+  std::size_t bytes() const;
+
+ private:
+  enum Pass { kMaterial, kLightMaps, kIrradiance, kBlur, kThin, kCombine, kDone };
+  struct Keys {
+    Key material, lightMaps, irradiance, blur;
+    friend bool operator==(const Keys&, const Keys&) = default;
+  };
+  static Keys keysOf(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
+  void fit(glm::ivec2 size);
+  void adopt(const SkinLook& look, const SkinQuality& quality);
+  void drawMaterial(const GpuSkin& surface);
+  void drawIrradiance(const GpuSkin& surface);
+  void blurLevel(const GpuSkin& surface, int level);
+  void blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
+            gl::Framebuffer& to);
+  void blurThin(const GpuSkin& surface);
+  void combine(const GpuSkin& surface, int part, const gl::Framebuffer& to);
+
+  PassPrograms programs_;
+  LightMaps lightMaps_;
+  SkinLook look_;
+  SkinQuality quality_;
+  SkinMaterial skin_;
+  SkinTables tables_;
+  gl::Texture specularTable_;
+  Keys wanted_, done_;
+  int next_ = kDone, nextLevel_ = 1;
+  bool reference_ = false;
+  glm::ivec2 size_{0};
+  gl::Framebuffer material_, irradiance_, spare_, diffused_, through_;
+  std::array<gl::Framebuffer, kLevels - 1> levels_;
+  std::array<gl::Framebuffer, 3> thin_;
+  std::array<int, kLevels> shownLevel_{};  // equal variances share a map
+};
+
+}  // namespace sonoskin

@@ -1,0 +1,58 @@
+#include "render/skin/skin_pictures.h"
+
+#include <algorithm>
+
+#include "render/gl/read_pixels.h"
+
+namespace sonoskin {
+namespace {
+
+// The home view of a camera's words: its preset without the changes.
+std::string_view presetOf(std::string_view camera) {
+  const std::string_view first = camera.substr(0, camera.find(','));
+  return first.find('=') == std::string_view::npos && !first.empty() ? first : "probe";
+}
+
+// The lights of the parameters, or where the picture has words of its own, those from the camera's place.
+LightOptions lightsOf(const Parameters& parameters, const PictureOptions& options, const Camera& camera,
+                      const HomeFrame& home) {
+  LightOptions light = parameters.light;
+  if (options.light == "portrait") return light;
+  const Lighting studio = portraitLighting(camera), asked = parseLighting(options.light, camera);
+  const glm::vec2 angles = lightAngles(asked.key.direction, home);
+  light.azimuth = double(angles.x);
+  light.elevation = double(angles.y);
+  light.strength *= double(asked.key.colour.g / studio.key.colour.g);
+  return light;
+}
+
+}  // namespace
+
+Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, const Parameters& parameters,
+                    const SkinPictureOptions& look, const PictureOptions& options, const Progress& progress) {
+  checkPictureSize(options.size);
+  const Box box = boundingBox(mesh->positions);
+  const float aspect = float(options.size.x) / float(options.size.y);
+  const Camera camera = parseCamera(options.camera, options.beam, box, aspect);
+  const HomeFrame home = homeFrame(parseCamera(presetOf(options.camera), options.beam, box, aspect));
+  const SkinLook skin{parameters.skin, parameters.landmarks,
+                      makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
+  const auto surface = prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, 0.8));
+
+  context.makeCurrent();
+  GpuSkin gpu;
+  gpu.set(surface);
+  SkinView view;
+  const gl::Framebuffer picture({.size = options.size});
+  view.draw({.surface = gpu,
+             .camera = camera,
+             .look = skin,
+             .quality = look.quality,
+             .supersampling = 2,
+             .pass = look.pass},
+            picture);
+  progress.update(1);
+  return gl::readImage(picture);
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,109 @@
+// The skin as the camera sees it: light that has spread, the narrowest Gaussian at the picture's own resolution, and the
+// surface's reflection.                                                              [skin specification, section 11]
+// Variants: KIND, see lights.glsl; DETAIL: layers of pores and lines; LINEAR: scene-linear output for the resolve pass;
+// PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.
+#include "common/colour.glsl"
+#include "common/noise.glsl"
+#include "common/screen.glsl"
+#include "skin/lights.glsl"
+#include "skin/reflection.glsl"
+
+in vec2 uv;
+
+uniform sampler2D surfaceMap, placeMap, depthMap;
+uniform sampler2D diffusedMap, visibilityMap, albedoMap, finishMap;
+uniform sampler3D detailTile;  // gradient of the height, per mm of its own frame; w: height
+uniform float tileLength;      // mm
+uniform vec2 lostSlope;        // mean squared slope of each layer
+uniform float detail;          // factor
+uniform float pixelLength;     // mm per pixel and mm of distance
+uniform float mixBefore, exposure;
+uniform vec3 firstWeight;      // of the narrowest Gaussian
+uniform vec3 backgroundTop, backgroundBottom;
+
+layout(location = 0) out vec4 colour;
+
+// Slopes that are too fine for the picture make it rougher instead of sparkling.      [skin specification, section 12.5]
+vec3 bumped(vec3 n, vec3 p, float pixel, float strength, inout float m) {
+#if DETAIL > 0
+  const float frequency[2] = float[](2.5, 0.45);  // per mm
+  const float stretch[2] = float[](1.0, 5.3);
+  vec3 slope = vec3(0.0);
+  for (int k = 0; k < DETAIL; ++k) {
+    float weight = clamp(2.0 - 2.0 * frequency[k] * pixel, 0.0, 1.0);
+    slope += weight * textureLod(detailTile, p / (tileLength * stretch[k]) + 0.37 * float(k), 0.0).xyz;
+    m = sqrt(m * m + 2.0 * (1.0 - weight * weight) * strength * strength * lostSlope[k]);
+  }
+  slope *= strength;
+  return normalize(n - (slope - dot(slope, n) * n));
+#else
+  m = sqrt(m * m + 2.0 * strength * strength * (lostSlope.x + lostSlope.y));
+  return n;
+#endif
+}
+
+vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
+  vec4 spread = textureLod(diffusedMap, place, 0.0), visibility = textureLod(visibilityMap, place, 0.0);
+  vec3 albedo = max(textureLod(albedoMap, place, 0.0).rgb, vec3(0.02));
+  vec4 finish = textureLod(finishMap, place, 0.0);
+  spread.rgb /= max(spread.a, 1e-4);
+  vec3 toEye = normalize(eye - p);
+  float m = finish.r, facing = max(dot(smoothNormal, toEye), 0.05);
+  float pixel = pixelLength * distance(eye, p) / facing;
+  vec3 n = bumped(smoothNormal, p, pixel, detail * (1.0 - 0.7 * finish.a) * (1.0 - 0.5 * finish.b), m);
+  float nv = max(dot(n, toEye), 0.02);
+  vec3 first = visibility.a * irradianceAround(n) * (1.0 - finish.g * reflected(0.0, finish.r).y);
+  vec3 mirrored = vec3(0.0), coat = vec3(0.0);
+  const float coatF0 = 0.02, coatRoughness = 0.12;
+  for (int i = 0; i < 3; ++i) {
+    vec3 l = toLight(i, p), light = arriving(i, p) * visibility[i];
+    float cosine = dot(n, l);
+    first += light * max(cosine, 0.0) * (1.0 - finish.g * reflected(cosine, finish.r).x);
+    mirrored += light * finish.g * (0.85 * lobe(n, toEye, l, m, f0) + 0.15 * lobe(n, toEye, l, 0.5 * m, f0));
+    coat += light * lobe(normalize(n + 0.6 * smoothNormal), toEye, l, coatRoughness, coatF0);
+  }
+  vec3 around = radiance(reflect(-toEye, n)) * visibility.a * visibility.a;
+  mirrored += finish.g * reflected(nv, m).x * around;
+  coat += schlick(coatF0, nv) * around;
+  mirrored = mirrored * (1.0 - finish.b * schlick(coatF0, nv)) + finish.b * coat;
+  first *= pow(albedo, vec3(mixBefore));
+#if PASS == 1
+  vec3 entered = first;
+#elif defined(REFERENCE)
+  vec3 entered = spread.rgb;
+#else
+  vec3 entered = firstWeight * first + spread.rgb;
+#endif
+  vec2 table = reflected(nv, finish.r);
+  vec3 diffuse = pow(albedo, vec3(1.0 - mixBefore)) * entered * (1.0 - finish.g * table.x) / (1.0 - finish.g * table.y);
+#if PASS == 2
+  vec3 sum = diffuse;
+#elif PASS == 3
+  vec3 sum = mirrored;
+#else
+  vec3 sum = diffuse + mirrored;
+#endif
+  return inner ? sum * vec3(0.35, 0.33, 0.36) : sum;
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  float depth = texelFetch(depthMap, texel, 0).r;
+  vec3 shown;
+  if (depth >= 1.0) {
+    float height = uv.y + 0.25 * (uv.x - 0.5) * (uv.x - 0.5);
+    shown = mix(backgroundBottom, backgroundTop, smoothstep(0.0, 1.0, height));
+  } else {
+    vec4 surface = texelFetch(surfaceMap, texel, 0);
+    vec3 p = eye + distanceOf(depth) * rayAt(uv);
+    shown = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0);
+#if !defined(SCENE)
+    shown = toneMap(exposure * shown);
+#endif
+  }
+#if defined(LINEAR)
+  colour = vec4(shown, depth >= 1.0 ? 0.0 : 1.0);
+#else
+  colour = vec4(toSrgb(shown) + (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
+#endif
+}
