@@ -6,27 +6,26 @@
 namespace sonoskin {
 
 BlurKernel makeBlurKernel(double spacing) {
-  const int taps = int(std::lround(3 / spacing));
-  std::vector<double> weights(std::size_t(taps) + 1);
-  double sum = 0, variance = 0;
-  for (int i = 0; i <= taps; ++i) {
-    const double x = i * spacing, sides = i == 0 ? 1 : 2;
-    weights[std::size_t(i)] = std::exp(-0.5 * x * x);
-    sum += sides * weights[std::size_t(i)];
-    variance += sides * weights[std::size_t(i)] * x * x;
-  }
+  const int taps = int(3.5 / spacing);
+  const auto gaussian = [&](int i) { return std::exp(-0.5 * i * i * spacing * spacing); };
+  double moments[3] = {};  // of order 0, 2, 4
+  for (int i = -taps; i <= taps; ++i)
+    for (int k = 0; k < 3; ++k) moments[k] += gaussian(i) * std::pow(i * spacing, 2 * k);
+  // a + b x^2 that makes moments 0 and 2 one.
+  const double determinant = moments[0] * moments[2] - moments[1] * moments[1];
+  const double a = (moments[2] - moments[1]) / determinant, b = (moments[0] - moments[1]) / determinant;
   BlurKernel kernel;
   for (int i = 0; i <= taps; ++i) {
-    kernel.places.push_back(float(i * spacing / std::sqrt(variance / sum)));
-    kernel.weights.push_back(float(weights[std::size_t(i)] / sum));
+    const double x = i * spacing;
+    kernel.places.push_back(float(x));
+    kernel.weights.push_back(float(gaussian(i) * (a + b * x * x)));
   }
   return kernel;
 }
 
 double blurSpacing(double sigma, double texel, double smoothed) {
   const double allowed = std::max(1.5 * texel, 2 * smoothed) / sigma;
-  // Steps of 1 / n end at 3 exactly.
-  return 1 / std::ceil(std::clamp(1 / allowed, 1.0, 8.0));
+  return 1 / std::ceil(std::clamp(1 / allowed, 1.0, 6.0));
 }
 
 }  // namespace sonoskin

@@ -11,9 +11,9 @@ struct BlurKernel {
   std::vector<float> places, weights;
 };
 
-// makeBlurKernel: a Gaussian sampled `spacing` standard deviations apart out to 3, then brought to sum 1 and variance 1
-// exactly: the weights by their sum, the places by their variance.          [skin specification, section 8: 7 taps at 1]
-//   spacing  0.125 to 1
+// makeBlurKernel: a Gaussian sampled `spacing` standard deviations apart out to 3.5, times the a + b x^2 that brings its sum
+// and its variance to 1.                                          [skin specification, section 8: the seven taps at 1]
+//   spacing  1/6 to 1
 BlurKernel makeBlurKernel(double spacing);
 
 // blurSpacing: how far apart taps may be so that sharp shadows do not become stairs, in standard deviations: 1.5 texels

@@ -230,7 +230,11 @@ const gl::Texture& LightPasses::level(int level) const {
 
 void LightPasses::blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
                        gl::Framebuffer& to) {
-  const BlurKernel kernel = makeBlurKernel(blurSpacing(sigma, surface.surface()->atlas.texel, smoothed));
+  const double texel = double(surface.surface()->atlas.texel);
+  const BlurKernel kernel = makeBlurKernel(blurSpacing(sigma, texel, smoothed));
+  // A look between two texels blurs too: by f (1 - f) texels^2 at the share f of the way, a sixth on average.
+  const double looks = (1 - double(kernel.weights[0])) * texel * texel / 6;
+  sigma = std::sqrt(std::max(sigma * sigma - looks, 0.25 * sigma * sigma));
   gl::Program& p = programs_.use("skin/blur.frag", {});
   bindTo(p, "stretchMap", 1, surface.parts().stretch);
   p.set("sigma", float(sigma));
