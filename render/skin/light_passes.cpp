@@ -149,36 +149,45 @@ void LightPasses::fit(glm::ivec2 size) {
 }
 
 bool LightPasses::step(const GpuSkin& surface) {
+  if (finished()) return false;
   glDisable(GL_BLEND);
+  gl::GpuTimer& timer = timers_[std::size_t(next_ == kBlur ? kDone + nextLevel_ : next_)];
+  timer.begin();
+  run(surface);
+  timer.end();
+  return true;
+}
+
+void LightPasses::run(const GpuSkin& surface) {
   switch (next_) {
     case kMaterial:
       drawMaterial(surface);
       next_ = wanted_.lightMaps == done_.lightMaps ? kIrradiance : kLightMaps;
-      return true;
+      break;
     case kLightMaps:
       lightMaps_.draw(surface, look_.lights, quality_.shadowSize);
       next_ = kIrradiance;
-      return true;
+      break;
     case kIrradiance:
       drawIrradiance(surface);
       next_ = kBlur;
-      return true;
+      break;
     case kBlur:
       blurLevel(surface, nextLevel_);
       if (++nextLevel_ == kLevels) next_ = kThin;
-      return true;
+      break;
     case kThin:
       blurThin(surface);
       next_ = kCombine;
-      return true;
+      break;
     case kCombine:
       combine(surface, 0, diffused_);
       reference_ = false;
       done_ = wanted_;
       next_ = kDone;
-      return true;
+      break;
     default:
-      return false;
+      break;
   }
 }
 
@@ -235,10 +244,9 @@ void LightPasses::blur(const GpuSkin& surface, const gl::Texture& from, double s
   // A look between two texels blurs too: by f (1 - f) texels^2 at the share f of the way, a sixth on average.
   const double looks = (1 - double(kernel.weights[0])) * texel * texel / 6;
   sigma = std::sqrt(std::max(sigma * sigma - looks, 0.25 * sigma * sigma));
-  gl::Program& p = programs_.use("skin/blur.frag", {});
+  gl::Program& p = programs_.use("skin/blur.frag", {fmt::format("TAPS {}", kernel.places.size() - 1)});
   bindTo(p, "stretchMap", 1, surface.parts().stretch);
   p.set("sigma", float(sigma));
-  p.set("taps", int(kernel.places.size()) - 1);
   p.set("places", std::span<const float>(kernel.places));
   p.set("weights", std::span<const float>(kernel.weights));
   bindTo(p, "light", 0, from);
@@ -317,6 +325,13 @@ void LightPasses::drawThrough(const GpuSkin& surface) {
 void LightPasses::setDiffused(const std::vector<glm::vec4>& rgba) {
   diffused_.setTexels(0, rgba.data());
   reference_ = true;
+}
+
+SkinView::Timing LightPasses::timing() const {
+  const auto of = [&](int timer) { return 1000 * timers_[std::size_t(timer)].seconds(); };
+  SkinView::Timing timing{of(kMaterial), of(kLightMaps), of(kIrradiance), of(kThin), of(kCombine), 0};
+  for (int level = 1; level < kLevels; ++level) timing.blurs += of(kDone + level);
+  return timing;
 }
 
 std::size_t LightPasses::bytes() const {

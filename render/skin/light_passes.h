@@ -52,7 +52,8 @@ class LightPasses {
   void setDiffused(const std::vector<glm::vec4>& rgba);
   bool holdsReference() const { return reference_; }
 
-  SkinView::Timing timing;
+  // timing: all but the final pass.
+  SkinView::Timing timing() const;
   std::size_t bytes() const;
 
  private:
@@ -62,6 +63,7 @@ class LightPasses {
     friend bool operator==(const Keys&, const Keys&) = default;
   };
   static Keys keysOf(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
+  void run(const GpuSkin& surface);
   void fit(glm::ivec2 size);
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
@@ -81,6 +83,7 @@ class LightPasses {
   gl::Texture specularTable_;
   Keys wanted_, done_;
   int next_ = kDone, nextLevel_ = 1;
+  std::array<gl::GpuTimer, kDone + kLevels> timers_;  // by pass; blurs by level behind them
   bool reference_ = false;
   glm::ivec2 size_{0};
   gl::Framebuffer material_, irradiance_, spare_, diffused_, through_;

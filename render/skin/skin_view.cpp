@@ -30,7 +30,6 @@ void SkinView::draw(const SkinViewInput& input, const gl::Target& target) {
   s.timer.begin();
   s.final.draw(input, s.light, target);
   s.timer.end();
-  s.light.timing.final = 1000 * s.timer.seconds();
 }
 
 bool SkinView::complete() const { return state_->complete; }
@@ -52,7 +51,11 @@ const gl::Texture& SkinView::diffused() const { return state_->light.diffused();
 const gl::Texture& SkinView::albedo() const { return state_->light.albedo(); }
 const gl::Texture& SkinView::finish() const { return state_->light.finish(); }
 void SkinView::setDiffused(const std::vector<glm::vec4>& rgba) { state_->light.setDiffused(rgba); }
-const SkinView::Timing& SkinView::timing() const { return state_->light.timing; }
+SkinView::Timing SkinView::timing() const {
+  Timing timing = state_->light.timing();
+  timing.final = 1000 * state_->timer.seconds();
+  return timing;
+}
 std::size_t SkinView::mapBytes() const { return state_->light.bytes() + state_->surfaceBytes; }
 
 }  // namespace sonoskin

@@ -112,11 +112,11 @@ class SkinView {
   //   rgba   atlas size, linear; as diffused(), but with all six terms: the irradiance of the first is not added
   void setDiffused(const std::vector<glm::vec4>& rgba);
 
-  // Timing: milliseconds of the GPU for the passes of the last draw that ran them.
+  // Timing: milliseconds of the GPU for each pass when it ran last. Asking waits for those passes.
   struct Timing {
-    double shadow = 0, irradiance = 0, blur = 0, combine = 0, final = 0;
+    double material = 0, lightMaps = 0, irradiance = 0, blurs = 0, combine = 0, final = 0;
   };
-  const Timing& timing() const;
+  Timing timing() const;
   // mapBytes: memory of the maps on the GPU, the surface's included.
   std::size_t mapBytes() const;
 

@@ -1,11 +1,10 @@
 // One direction of a Gaussian blur on the surface. Texels that show nothing do not count, so that light ends at the
-// surface's borders instead of leaking out.                                             [skin specification, section 8]
+// surface's borders instead of leaking out. TAPS: on either side.                       [skin specification, section 8]
 uniform sampler2D light;       // premultiplied by coverage
 uniform sampler2D stretchMap;  // mm per texel
 uniform vec2 axis;             // (1,0) or (0,1)
 uniform float sigma;           // mm
-uniform int taps;              // on either side
-uniform float places[25], weights[25];
+uniform float places[TAPS + 1], weights[TAPS + 1];
 
 layout(location = 0) out vec4 blurred;
 
@@ -18,7 +17,7 @@ void main() {
   }
   vec2 size = vec2(textureSize(light, 0));
   vec2 step = sigma * axis / (texelFetch(stretchMap, texel, 0).rg * size), middle = gl_FragCoord.xy / size;
-  for (int i = 1; i <= taps; ++i) {
+  for (int i = 1; i <= TAPS; ++i) {
     vec2 away = places[i] * step;
     sum += weights[i] * (textureLod(light, middle + away, 0.0) + textureLod(light, middle - away, 0.0));
   }
