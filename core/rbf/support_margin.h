@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "core/rbf/point_grid.h"
+#include "core/mesh/point_grid.h"
 
 namespace sonoskin {
 

@@ -6,11 +6,11 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_check.h"
+#include "core/mesh/point_grid.h"
 #include "core/rbf/brick.h"
 #include "core/rbf/global_block.h"
 #include "core/rbf/global_fit.h"
 #include "core/rbf/iso_surface.h"
-#include "core/rbf/point_grid.h"
 #include "tests/support/global_sites.h"
 #include "tests/support/synthetic_points.h"
 

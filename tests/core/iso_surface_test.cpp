@@ -12,9 +12,9 @@
 #include "core/base/parallel.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/mesh/mesh_check.h"
+#include "core/mesh/point_grid.h"
 #include "core/rbf/brick_mesher.h"
 #include "core/rbf/csrbf_function.h"
-#include "core/rbf/point_grid.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_points.h"
 

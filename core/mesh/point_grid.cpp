@@ -1,4 +1,4 @@
-#include "core/rbf/point_grid.h"
+#include "core/mesh/point_grid.h"
 
 namespace sonoskin {
 
