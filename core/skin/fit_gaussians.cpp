@@ -113,9 +113,11 @@ GaussianFit fitGaussians(const DipoleRgb& dipoles, int count) {
   };
   Minimum best{{}, 1e300};
   for (int attempt = 0; attempt < 6; ++attempt) {
-    const Minimum found = findMinimum(squaredError, firstLogarithms(dipoles, count, attempt));
+    const Minimum found =
+        findMinimum(squaredError, firstLogarithms(dipoles, count, attempt), {.evaluations = 200});
     if (found.value < best.value) best = found;
   }
+  best = findMinimum(squaredError, best.place, {.step = 0.1});
   return fitWeights(dipoles, exponentials(best.place));
 }
 

@@ -28,8 +28,9 @@ GaussianFit fitWeights(const DipoleRgb& dipoles, std::span<const double> varianc
 
 // fitGaussians: the best `count` variances, 1 to 6, and their weights.                 [d'Eon, Luebke 2007; ours: every
 // integral of the fit has a closed form, so that no grid of distances limits or spoils it]
-//   method   Nelder-Mead on the logarithms of the variances from six fixed starts
-//   cost     1 to 30 ms
+//   method   Nelder-Mead on the logarithms of the variances a short one from each of six starts, then a long one from
+//            the best
+//   cost     1 to 10 ms
 GaussianFit fitGaussians(const DipoleRgb& dipoles, int count);
 
 // asSum: the fit with terms of no weight added in front until there are six.

@@ -9,7 +9,7 @@ namespace sonoskin {
 //   step        edge of the first simplex
 //   tolerance   of the values over the simplex, relative; evaluations: at most so many
 struct NelderMeadOptions {
-  double step = 0.3, tolerance = 1e-9;
+  double step = 0.3, tolerance = 1e-7;
   int evaluations = 1000;
 };
 

@@ -1,24 +1,8 @@
 #include "core/skin/scatter_profile.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace sonoskin {
-namespace {
-
-// The literature's variances without the narrowest and with one of 25 mm^2 for the far tail of red.
-constexpr std::array<double, 6> kWiderVariances{0.0484, 0.187, 0.567, 1.99, 7.41, 25};
-
-double worst(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-GaussianFit fitToKnownVariances(const DipoleRgb& dipoles) {
-  const GaussianFit narrow = fitWeights(dipoles, literatureSkin().variances);
-  const GaussianFit wide = fitWeights(dipoles, kWiderVariances);
-  return worst(energyDifference(dipoles, wide)) < worst(energyDifference(dipoles, narrow)) ? wide : narrow;
-}
-
-}  // namespace
-
 std::optional<Pigments> pigmentsOf(ScatterProfile profile) {
   switch (profile) {
     case ScatterProfile::newborn:
@@ -47,9 +31,8 @@ MediumRgb mediumOf(const SkinOptions& options) {
 
 GaussianFit fitProfile(const SkinOptions& options) {
   assert(options.profile != ScatterProfile::adult);
-  const DipoleRgb dipoles = makeDipoles(mediumOf(options));
-  return options.profile == ScatterProfile::custom ? fitGaussians(dipoles, options.gaussians)
-                                                   : fitToKnownVariances(dipoles);
+  const int count = options.profile == ScatterProfile::custom ? options.gaussians : GaussianSum::kCount;
+  return fitGaussians(makeDipoles(mediumOf(options)), count);
 }
 
 GaussianSum diffusionOf(const SkinOptions& options) {

@@ -15,8 +15,7 @@ std::optional<Pigments> pigmentsOf(ScatterProfile profile);
 // Gaussians come from a skin of three layers that has no medium of its own; custom: absorption and scattering, index 1.3.
 MediumRgb mediumOf(const SkinOptions& options);
 
-// fitProfile: the Gaussians of the options' medium, width 1. custom: `gaussians` terms, all free; the others: the best
-// weights for the variances of the literature, or for those of the wider set where the fit is closer.
+// fitProfile: the Gaussians of the options' medium, width 1: six, for custom `gaussians` of them.
 //   precondition   profile is not adult
 GaussianFit fitProfile(const SkinOptions& options);
 
