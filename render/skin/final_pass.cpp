@@ -74,11 +74,36 @@ void setBackground(gl::Program& program, const Camera& camera) {
   program.set("backgroundBottom", studio.backgroundBottom);
 }
 
-// Draws go to the shown columns alone.
-void cutColumns(glm::ivec2 size, glm::vec2 part, glm::ivec2 corner = {0, 0}) {
-  const int first = int(std::lround(part.x * float(size.x))), end = int(std::lround(part.y * float(size.x)));
+// Part: a rectangle of pixels; the end is outside.
+struct Part {
+  glm::ivec2 first{0}, end{0};
+};
+
+Part shownColumns(glm::ivec2 size, glm::vec2 share) {
+  const glm::ivec2 columns(glm::round(share * float(size.x)));
+  return {{columns.x, 0}, {columns.y, size.y}};
+}
+
+// Where a box of the world can be seen: a software renderer runs shaders on all pixels of a draw, empty or not.
+Part partOf(const Box& box, const glm::mat4& viewProjection, glm::ivec2 size) {
+  glm::vec2 least(1), most(-1);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::bvec3 far(corner & 1, corner & 2, corner & 4);
+    const glm::vec4 seen = viewProjection * glm::vec4(glm::mix(box.min, box.max, far), 1);
+    if (seen.w <= 0) return {{0, 0}, size};
+    least = glm::min(least, glm::vec2(seen) / seen.w);
+    most = glm::max(most, glm::vec2(seen) / seen.w);
+  }
+  const glm::vec2 scale = 0.5f * glm::vec2(size);
+  return {glm::max(glm::ivec2(glm::floor((least + 1.f) * scale)), glm::ivec2(0)),
+          glm::min(glm::ivec2(glm::ceil((most + 1.f) * scale)), size)};
+}
+
+// Draws go to a part of the target alone.
+void cutTo(const Part& part, glm::ivec2 corner = {0, 0}) {
+  const glm::ivec2 size = glm::max(part.end - part.first, glm::ivec2(0));
   glEnable(GL_SCISSOR_TEST);
-  glScissor(corner.x + first, corner.y, std::max(end - first, 0), size.y);
+  glScissor(corner.x + part.first.x, corner.y + part.first.y, size.x, size.y);
 }
 
 }  // namespace
@@ -96,7 +121,7 @@ void FinalPass::drawSurface(const SkinViewInput& input, glm::ivec2 size, const g
   surface_.fit(size);
   surface_.clear({});
   surface_.bind();
-  cutColumns(size, input.shownPart);
+  cutTo(shownColumns(size, input.shownPart));
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
@@ -112,6 +137,8 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
       kindDefine(input.look.lights),
       fmt::format("DETAIL {}", input.look.skin.detail > 0 ? input.quality.detailLayers : 0),
       fmt::format("PASS {}", finalVariant(input.pass))};
+  defines.push_back(fmt::format("LOBES {}", input.quality.detailLayers > 1 ? 2 : 1));
+  if (input.look.skin.wetness > 0) defines.emplace_back("WET");
   if (light.holdsReference()) defines.emplace_back("REFERENCE");
   if (input.supersampling > 1) defines.emplace_back("LINEAR");
   gl::Program& p = programs_.use("skin/final.frag", defines);
@@ -171,7 +198,17 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   } else {
     target.bind();
   }
-  cutColumns(size, input.shownPart, input.supersampling > 1 ? glm::ivec2(0) : target.corner);
+  const glm::ivec2 corner = input.supersampling > 1 ? glm::ivec2(0) : target.corner;
+  const Part columns = shownColumns(size, input.shownPart);
+  cutTo(columns, corner);
+  std::vector<std::string> defines;
+  if (input.supersampling > 1) defines.emplace_back("LINEAR");
+  setBackground(programs_.use("skin/background.frag", defines), input.camera);
+  gl::drawFullScreen();
+  Part part = partOf(input.surface.box(), projection * input.camera.view(), size);
+  part.first = glm::max(part.first, columns.first);
+  part.end = glm::min(part.end, columns.end);
+  cutTo(part, corner);
   if (finalVariant(input.pass) < 0) {
     showMap(input, light);
   } else {
@@ -179,7 +216,7 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   }
   if (input.supersampling == 1) return;
   target.bind();
-  cutColumns(target.size, input.shownPart, target.corner);
+  cutTo(shownColumns(target.size, input.shownPart), target.corner);
   gl::Program& p = programs_.use("skin/resolve.frag", {});
   bindTo(p, "samples", 0, samples_.colour());
   p.set("perSide", input.supersampling);

@@ -1,9 +1,11 @@
 // The skin as the camera sees it: light that has spread, the narrowest Gaussian at the picture's own resolution, and the
 // surface's reflection.                                                              [skin specification, section 11]
-// Variants: KIND, see lights.glsl; DETAIL: layers of pores and lines; LINEAR: scene-linear output for the resolve pass;
+// Variants: KIND, see lights.glsl; DETAIL: layers of pores and lines; LINEAR: display-linear output for the resolve pass;
+// LOBES: of the surface's reflection; WET: a film of water lies on it;
 // PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
+#include "skin/background.glsl"
 #include "common/screen.glsl"
 #include "skin/lights.glsl"
 #include "skin/reflection.glsl"
@@ -19,7 +21,6 @@ uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
 uniform float mixBefore, exposure;
 uniform vec3 firstWeight;      // of the narrowest Gaussian
-uniform vec3 backgroundTop, backgroundBottom;
 
 layout(location = 0) out vec4 colour;
 
@@ -54,19 +55,31 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   float nv = max(dot(n, toEye), 0.02);
   vec3 first = visibility.a * irradianceAround(n) * (1.0 - finish.g * reflected(0.0, finish.r).y);
   vec3 mirrored = vec3(0.0), coat = vec3(0.0);
+#if defined(WET)
   const float coatF0 = 0.02, coatRoughness = 0.12;
+  vec3 film = normalize(n + 0.6 * smoothNormal);  // fills the pores
+#endif
   for (int i = 0; i < 3; ++i) {
     vec3 l = toLight(i, p), light = arriving(i, p) * visibility[i];
     float cosine = dot(n, l);
     first += light * max(cosine, 0.0) * (1.0 - finish.g * reflected(cosine, finish.r).x);
+#if LOBES == 2
     mirrored += light * finish.g * (0.85 * lobe(n, toEye, l, m, f0) + 0.15 * lobe(n, toEye, l, 0.5 * m, f0));
-    coat += light * lobe(normalize(n + 0.6 * smoothNormal), toEye, l, coatRoughness, coatF0);
+#else
+    mirrored += light * finish.g * lobe(n, toEye, l, 0.9 * m, f0);
+#endif
+#if defined(WET)
+    coat += light * lobe(film, toEye, l, coatRoughness, coatF0);
+#endif
   }
   vec3 around = radiance(reflect(-toEye, n)) * visibility.a * visibility.a;
   mirrored += finish.g * reflected(nv, m).x * around;
+#if defined(WET)
   coat += schlick(coatF0, nv) * around;
   mirrored = mirrored * (1.0 - finish.b * schlick(coatF0, nv)) + finish.b * coat;
-  first *= pow(albedo, vec3(mixBefore));
+#endif
+  vec3 before = pow(albedo, vec3(mixBefore));
+  first *= before;
 #if PASS == 1
   vec3 entered = first;
 #elif defined(REFERENCE)
@@ -75,7 +88,7 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   vec3 entered = firstWeight * first + spread.rgb;
 #endif
   vec2 table = reflected(nv, finish.r);
-  vec3 diffuse = pow(albedo, vec3(1.0 - mixBefore)) * entered * (1.0 - finish.g * table.x) / (1.0 - finish.g * table.y);
+  vec3 diffuse = albedo / before * entered * (1.0 - finish.g * table.x) / (1.0 - finish.g * table.y);
 #if PASS == 2
   vec3 sum = diffuse;
 #elif PASS == 3
@@ -89,20 +102,15 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(depthMap, texel, 0).r;
-  vec3 shown;
-  if (depth >= 1.0) {
-    float height = uv.y + 0.25 * (uv.x - 0.5) * (uv.x - 0.5);
-    shown = mix(backgroundBottom, backgroundTop, smoothstep(0.0, 1.0, height));
-  } else {
+  vec3 shown = background(uv);
+  if (depth < 1.0) {
     vec4 surface = texelFetch(surfaceMap, texel, 0);
     vec3 p = eye + distanceOf(depth) * rayAt(uv);
     shown = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0);
-#if !defined(SCENE)
     shown = toneMap(exposure * shown);
-#endif
   }
 #if defined(LINEAR)
-  colour = vec4(shown, depth >= 1.0 ? 0.0 : 1.0);
+  colour = vec4(shown, 1.0);
 #else
   colour = vec4(toSrgb(shown) + (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
 #endif

@@ -1,7 +1,7 @@
 // One of the maps on the surface, as a colour: the passes that people may look at.
 // MAP: 0 linear light; 1 colour; 2 one value; 3 direction; 4 signed value; 5 millimetres per texel; 6 numbers of charts.
 #include "common/colour.glsl"
-#include "common/screen.glsl"
+#include "skin/background.glsl"
 
 in vec2 uv;
 
@@ -9,7 +9,6 @@ uniform sampler2D surfaceMap, placeMap, depthMap;
 uniform sampler2D map;
 uniform int channel;
 uniform float scale;
-uniform vec3 backgroundTop, backgroundBottom;
 
 layout(location = 0) out vec4 colour;
 
@@ -39,7 +38,7 @@ vec3 shownOf(vec4 value) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec3 shown = mix(backgroundBottom, backgroundTop, uv.y);
+  vec3 shown = background(uv);
   if (texelFetch(depthMap, texel, 0).r < 1.0) {
     vec4 surface = texelFetch(surfaceMap, texel, 0);
     shown = shownOf(textureLod(map, texelFetch(placeMap, texel, 0).rg, 0.0));
