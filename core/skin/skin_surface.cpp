@@ -1,0 +1,55 @@
+#include "core/skin/skin_surface.h"
+
+#include "core/base/error.h"
+#include "core/mesh/decimate.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr int kMaxSize = 8192;  // texels a side
+
+std::shared_ptr<const Mesh> reduced(std::shared_ptr<const Mesh> mesh, int triangles,
+                                    const Progress& progress) {
+  const bool isReduced = triangles > 0 && mesh->triangles.size() > std::size_t(triangles);
+  const bool hasNormals = mesh->normals.size() == mesh->positions.size();
+  if (!isReduced && hasNormals) return mesh;
+  Mesh own = isReduced ? decimateMesh(*mesh, std::size_t(triangles), progress) : *mesh;
+  if (!hasNormals) computeNormals(own);
+  return std::make_shared<const Mesh>(std::move(own));
+}
+
+}  // namespace
+
+SkinQuality fullQuality() { return {}; }
+
+SkinQuality lightQuality() {
+  SkinQuality quality;
+  quality.triangles = 100000;
+  quality.texel = 0.30;
+  quality.shadowSize = 1024;
+  quality.shadowTaps = 9;
+  quality.detailLayers = 1;
+  return quality;
+}
+
+std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
+                                               const SkinQuality& quality, const Progress& progress) {
+  require(mesh && !mesh->empty(), "There is no surface to show as skin.");
+  auto surface = std::make_shared<SkinSurface>();
+  surface->mesh = reduced(std::move(mesh), quality.triangles, progress.part(0, 0.2));
+  const SurfaceTraits traits = measureTraits(*surface->mesh, 128, 2, progress.part(0.2, 0.5));
+  AtlasOptions options;
+  options.texel = quality.texel;
+  options.front = front;
+  options.maxSize = kMaxSize;
+  surface->atlas = buildAtlas(*surface->mesh, options, progress.part(0.5, 0.75));
+  surface->check = checkAtlas(*surface->mesh, surface->atlas);
+  progress.update(0.8);
+  surface->pointBased = !surface->check.good();
+  if (surface->pointBased) surface->atlas = blockAtlas(*surface->mesh, quality.texel, kMaxSize);
+  surface->vertices = splitAtSeams(*surface->mesh, surface->atlas);
+  surface->maps = bakeAtlas(*surface->mesh, traits, surface->atlas, progress.part(0.8, 1));
+  return surface;
+}
+
+}  // namespace sonoskin
