@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/mesh/atlas_charts.h"
 #include "core/mesh/atlas_folds.h"
+#include "core/mesh/atlas_joins.h"
 #include "core/mesh/atlas_pack.h"
 #include "core/mesh/atlas_skirts.h"
 
@@ -90,7 +91,8 @@ void placeSkirts(const Mesh& mesh, const std::array<ChartAxis, kChartAxes>& axes
 Charts findCharts(const Facets& facets, const AtlasOptions& options,
                   const std::array<ChartAxis, kChartAxes>& axes, const Progress& progress) {
   // mm²; surfaces that are small as a whole have smaller charts.       [skin specification, section 4.2]
-  const double area = facets.area(), smallest = std::min(60., area / 50), tiny = std::min(6., area / 500);
+  const double area = facets.area(), smallest = std::min(std::max(60., area / 250), area / 50),
+               tiny = std::min(6., area / 500);
   const std::vector<glm::vec3> normals =
       smoothNormals(facets, float(options.normalLength), progress.part(0, 0.4));
   const std::vector<std::uint32_t> labels = labelTriangles(facets, normals, axes, progress.part(0.4, 0.5));
@@ -98,7 +100,15 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
   for (std::uint32_t a = 0; a < kChartAxes; ++a) axisOfLabel.push_back(a);
   Charts charts = connectedCharts(facets, labels, axisOfLabel, progress.part(0.5, 0.6));
   mergeSmallCharts(facets, axes, smallest, tiny, charts);
-  splitFolds(facets, normals, axes, tiny, charts, progress.part(0.6, 1));
+  splitFolds(facets, normals, axes, tiny, charts, progress.part(0.6, 0.9));
+  // Rather a little overlap than too many charts to be good.
+  constexpr std::size_t kEnough = 56;
+  double allowed = 0.02;
+  joinCharts(facets, normals, axes, smallest, allowed, charts);
+  for (int round = 0; round < 5 && charts.size() > kEnough; ++round) {
+    allowed = std::min(0.2, 2 * allowed);
+    joinCharts(facets, normals, axes, smallest * (1 << round), allowed, charts);
+  }
   return charts;
 }
 

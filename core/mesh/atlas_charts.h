@@ -5,6 +5,9 @@
 
 namespace sonoskin {
 
+// The least cosine between the normal of a chart and its axis.                        [skin specification, section 4.1]
+inline constexpr float kLeastFacing = 0.3f;
+
 // Charts: which triangles are projected together, and along which of the 14 axes.
 struct Charts {
   std::vector<std::uint32_t> ofTriangle;

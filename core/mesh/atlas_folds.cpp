@@ -9,7 +9,6 @@ namespace {
 
 constexpr float kCell = 0.3f, kDepth = 0.8f;  // mm  [skin specification, 4.2]
 constexpr float kMargin = 1;                  // mm around what is hidden
-constexpr float kFacing = 0.3f;               // least cosine to the axis
 
 using Projected = std::array<glm::vec3, 3>;
 
@@ -115,7 +114,8 @@ void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
         },
         part.part(0, 0.6));
     for (std::size_t t = 0; t < facets.size(); ++t)
-      if (glm::dot(normals[t], axes[charts.axis[charts.ofTriangle[t]]].toward) < kFacing) isMarked[t] = 1;
+      if (glm::dot(normals[t], axes[charts.axis[charts.ofTriangle[t]]].toward) < kLeastFacing)
+        isMarked[t] = 1;
     if (std::find(isMarked.begin(), isMarked.end(), 1) == isMarked.end()) break;
     growMarks(facets, charts, isMarked);
     charts = separate(facets, normals, axes, charts, isMarked, part.part(0.6, 0.9));

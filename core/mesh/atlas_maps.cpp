@@ -22,6 +22,18 @@ struct Baker {
 
   std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(maps.size.x) + std::size_t(x); }
 
+  // hides: whether what an owned texel shows lies elsewhere and under a more open sky than a triangle that claims it,
+  // too: then it is the outer one of two sheets.
+  bool hides(std::size_t texel, std::uint32_t triangle, const glm::vec3& w) const {
+    constexpr float kSamePlace = 0.3f;  // mm
+    const glm::vec4& shown = maps.position[texel];
+    if (shown.w < 1) return false;
+    const auto& [i, j, k] = mesh.triangles[triangle];
+    const glm::vec3 place = w.x * mesh.positions[i] + w.y * mesh.positions[j] + w.z * mesh.positions[k];
+    const float open =
+        w.x * traits.occlusion[i].w + w.y * traits.occlusion[j].w + w.z * traits.occlusion[k].w;
+    return glm::length(place - glm::vec3(shown)) > kSamePlace && maps.occlusion[texel].w > open;
+  }
   void write(std::size_t texel, std::uint32_t triangle, const glm::vec3& w, float coverage) const {
     const auto& [i, j, k] = mesh.triangles[triangle];
     const auto mix = [&](const auto& of) { return w.x * of[i] + w.y * of[j] + w.z * of[k]; };
@@ -64,7 +76,9 @@ void drawTriangles(const Baker& baker, const Atlas& atlas, const Progress& progr
           const float coverage = *i < firstOwner ? 0.5f : 1.f;
           forEachTexel(list.corners[*i], atlas.size.x, bands.rows(band),
                        [&](int x, int y, const glm::vec3& w) {
-                         baker.write(baker.index(x, y), list.triangles[*i], w, coverage);
+                         const std::size_t texel = baker.index(x, y);
+                         if (!baker.hides(texel, list.triangles[*i], w))
+                           baker.write(texel, list.triangles[*i], w, coverage);
                        });
         }
       },
