@@ -56,8 +56,9 @@ struct AtlasCheck {
   int charts = 0;
   double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
   double seamLength = 0;  // mm
-  // good: whether light may be diffused in it.                            [skin specification, section 20]
-  bool good() const { return overlap <= 0.01 && charts <= 60; }
+  double area = 0;        // mm^2
+  // good: whether light may be diffused in it.    [skin specification, section 20: 60 charts; more for large heads: ours]
+  bool good() const { return overlap <= 0.01 && charts <= 60 + area / 100; }
 };
 AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas);
 

@@ -110,6 +110,7 @@ AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas) {
   check.uncovered = area > 0 ? hidden / area : 0;
   measureStretch(facets, atlas, area, check);
   check.seamLength = seamsOf(facets, atlas);
+  check.area = surfaceArea(mesh);
   return check;
 }
 

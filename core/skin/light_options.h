@@ -18,12 +18,12 @@ struct LightOptions {
   double azimuth = -38;
   double elevation = 38;
   double distance = 150;
-  double strength = 1;
+  double strength = 1.15;
   double warmth = 5000;
-  double softness = 3;
+  double softness = 5;
   double fill = 0.25;
   double rim = 0.5;
-  double surround = 0.35;
+  double surround = 0.27;
   bool shadows = true;
   double exposure = 0;
 

@@ -26,8 +26,8 @@ constexpr std::array<const char*, 2> enumNames(ThinModel) { return {"slab", "gau
 struct SkinOptions {
   SkinColour colour = SkinColour::pigments;
   double melanin = 0.005;
-  double blood = 0.010;
-  double oxygen = 0.80;
+  double blood = 0.014;
+  double oxygen = 0.85;
   double epidermis = 0.06;
   double flush = 0.5;
   double mottling = 0.15;

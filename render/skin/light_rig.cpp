@@ -71,7 +71,7 @@ LightRig makeLightRig(const LightOptions& o, const HomeFrame& home, const Box& b
   }
   const double side = o.azimuth <= 0 ? 1 : -1;
   SkinLight fill{.position = direction(home, side * 55, 5),
-                 .colour = float(o.fill) * glm::vec3(0.95f, 0.98f, 1.06f)};
+                 .colour = float(o.fill) * glm::vec3(0.99f, 1.0f, 1.02f)};
   fill.shadows = false;  // a large soft light: what is closed in gets less of it
   SkinLight rim{.position = direction(home, side * 140, 32),
                 .colour = float(o.rim) * glm::vec3(1.0f, 0.98f, 0.95f)};
@@ -80,7 +80,7 @@ LightRig makeLightRig(const LightOptions& o, const HomeFrame& home, const Box& b
   rig.lights = {key, fill, rim};
   const float around = float(o.surround);
   rig.environment =
-      skyAndGround(around * glm::vec3(0.98f, 1.0f, 1.03f), 0.35f * around * glm::vec3(1.0f, 0.9f, 0.82f),
+      skyAndGround(around * glm::vec3(1.02f, 1.0f, 0.98f), 0.4f * around * glm::vec3(1.08f, 0.98f, 0.9f),
                    glm::normalize(home.up + 0.45f * home.back));
   return rig;
 }
