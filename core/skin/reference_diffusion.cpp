@@ -1,0 +1,113 @@
+#include "core/skin/reference_diffusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/skin/atlas_reading.h"
+#include "core/skin/brute_force.h"
+#include "core/skin/hierarchical_integral.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr std::size_t kTexelsPerTask = 64;
+constexpr double kSpacing = 0.15;  // mm between samples
+
+// Numbers of the texels that are owned or beside one that is.
+std::vector<std::uint32_t> shownTexels(const AtlasMaps& maps) {
+  std::vector<std::uint32_t> shown;
+  const auto coverage = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= maps.size.x || y >= maps.size.y) return 0.f;
+    return maps.position[std::size_t(y) * std::size_t(maps.size.x) + std::size_t(x)].w;
+  };
+  for (int y = 0; y < maps.size.y; ++y)
+    for (int x = 0; x < maps.size.x; ++x) {
+      bool near = coverage(x, y) == 1;
+      for (int k = 0; k < 9 && !near && coverage(x, y) > 0; ++k)
+        near = coverage(x + k % 3 - 1, y + k / 3 - 1) == 1;
+      if (near) shown.push_back(std::uint32_t(y) * std::uint32_t(maps.size.x) + std::uint32_t(x));
+    }
+  return shown;
+}
+
+// What the narrow part of a profile, which no sample tells from a point, and its wide part are.
+struct Parts {
+  glm::dvec3 narrow{0};  // share of the light
+  RadialProfile wide;
+  double spacing = kSpacing;
+};
+
+Parts partsOf(const GaussianSum& profile) {
+  // As far apart as the second Gaussian allows.
+  const double spacing = std::clamp(0.7 * std::sqrt(profile.variances[1]), 0.1, 0.3);
+  int first = 0;
+  glm::dvec3 narrow(0);
+  for (; first < GaussianSum::kCount && !isResolved(profile.variances[std::size_t(first)], spacing); ++first)
+    narrow += profile.weights[std::size_t(first)];
+  return {narrow, profileOf(profile, first), spacing};
+}
+
+Parts partsOf(const MediumRgb& medium) {
+  const std::array<Dipole, 3> d{makeDipole(medium[0]), makeDipole(medium[1]), makeDipole(medium[2])};
+  const glm::dvec3 total(totalReflectance(d[0]), totalReflectance(d[1]), totalReflectance(d[2]));
+  const auto perArea = [=](double r) {
+    return glm::dvec3(diffuseReflectance(d[0], r), diffuseReflectance(d[1], r), diffuseReflectance(d[2], r)) /
+           total;
+  };
+  return {glm::dvec3(0), RadialProfile(perArea, glm::dvec3(1)), kSpacing};
+}
+
+HierarchicalIntegral treeOf(const SkinSurface& surface, const std::vector<glm::vec4>& irradiance,
+                            double spacing, const Progress& progress) {
+  const SurfaceSamples samples = sampleSurface(*surface.mesh, spacing, progress);
+  std::vector<glm::vec3> light;
+  light.reserve(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Corners& corners = surface.atlas.corners[samples.triangles[i]];
+    light.push_back(readAtlas(irradiance, surface.maps.size, placeInAtlas(corners, samples.weights[i])));
+  }
+  return HierarchicalIntegral(samples, light);
+}
+
+std::vector<glm::vec4> integrate(const SkinSurface& surface, const Parts& parts,
+                                 const std::vector<glm::vec4>& irradiance, const Progress& progress) {
+  const AtlasMaps& maps = surface.maps;
+  require(irradiance.size() == maps.position.size(), "Every texel of the atlas needs an irradiance.");
+  const HierarchicalIntegral tree = treeOf(surface, irradiance, parts.spacing, progress.part(0, 0.03));
+  const std::vector<std::uint32_t> shown = shownTexels(maps);
+  std::vector<glm::vec4> result(irradiance.size(), glm::vec4(0));
+  const std::size_t tasks = (shown.size() + kTexelsPerTask - 1) / kTexelsPerTask;
+  parallelFor(
+      std::ptrdiff_t(tasks),
+      [&](std::ptrdiff_t task) {
+        const std::size_t begin = std::size_t(task) * kTexelsPerTask;
+        for (std::size_t i = begin; i < std::min(begin + kTexelsPerTask, shown.size()); ++i) {
+          const std::uint32_t t = shown[i];
+          const glm::vec3 own =
+              irradiance[t].a > 0 ? glm::vec3(irradiance[t]) / irradiance[t].a : glm::vec3(0);
+          const glm::vec3 wide =
+              tree.at(glm::vec3(maps.position[t]), glm::vec3(maps.normal[t]), parts.wide, {});
+          result[t] = glm::vec4(glm::vec3(parts.narrow) * own + wide, 1);
+        }
+      },
+      progress.part(0.05, 1));
+  return result;
+}
+
+}  // namespace
+
+std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const GaussianSum& profile,
+                                          const std::vector<glm::vec4>& irradiance,
+                                          const Progress& progress) {
+  return integrate(surface, partsOf(profile), irradiance, progress);
+}
+
+std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const MediumRgb& medium,
+                                          const std::vector<glm::vec4>& irradiance,
+                                          const Progress& progress) {
+  return integrate(surface, partsOf(medium), irradiance, progress);
+}
+
+}  // namespace sonoskin
