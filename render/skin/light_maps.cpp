@@ -33,16 +33,36 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
 std::string kindDefine(const LightRig& lights) { return fmt::format("KIND {}", int(lights.lights[0].kind)); }
 
 LightMaps::LightMaps() : program_({"skin/light_depth.vert", "skin/light_depth.frag"}) {
-  for (Map& map : maps_)
+  for (Map& map : maps_) {
+    map.exits = gl::Framebuffer({.size = {1, 1}, .colours = {}, .depth = gl::Format::depth32f});
     map.target =
         gl::Framebuffer({.size = {1, 1}, .colours = {gl::Format::rg32f}, .depth = gl::Format::depth32f});
+  }
+}
+
+// Draws the triangles that do not face the culled way.
+void LightMaps::drawFacing(const GpuSkin& surface, const glm::mat4& view, unsigned culled,
+                           const gl::Framebuffer& to) {
+  to.clear({});
+  to.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_CULL_FACE);
+  glCullFace(culled);
+  glDisable(GL_BLEND);
+  program_.use();
+  program_.set("viewProjection", view);
+  surface.parts().draw();
+  glCullFace(GL_BACK);
+  glDisable(GL_CULL_FACE);
 }
 
 void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, int size) {
   for (std::size_t i = 0; i < lights.lights.size(); ++i) {
     const SkinLight& light = lights.lights[i];
     Map& map = maps_[i];
-    map.target.fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+    for (gl::Framebuffer* f : {&map.target, &map.exits})
+      f->fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
     if (!light.shadows) continue;
     glm::mat4 view;
     float width = 1;
@@ -56,17 +76,8 @@ void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, int size) {
     }
     map.texel = width / float(size);
     map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
-    map.target.clear({});
-    map.target.bind();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    glDisable(GL_BLEND);
-    program_.use();
-    program_.set("viewProjection", view);
-    surface.parts().draw();
-    glDisable(GL_CULL_FACE);
+    drawFacing(surface, view, GL_BACK, map.target);
+    drawFacing(surface, view, GL_FRONT, map.exits);
   }
 }
 
@@ -93,7 +104,7 @@ void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
 std::size_t LightMaps::bytes() const {
   std::size_t sum = 0;
   for (const Map& map : maps_)
-    sum += std::size_t(map.target.size().x) * std::size_t(map.target.size().y) * 12;
+    sum += std::size_t(map.target.size().x) * std::size_t(map.target.size().y) * 16;
   return sum;
 }
 

@@ -10,7 +10,8 @@
 namespace sonoskin {
 
 // LightMaps: what each shadowing light sees of the surface: depths, and where in the atlas it is. Triangles that face
-// away are left out: an open shell that is lit from behind would glow all over.
+// away are left out: an open shell that is lit from behind would glow all over. Their depths, where light leaves the
+// body, are maps of their own.
 //   a modified translucent shadow map                                   [GPU Gems 3, ch. 14.5.4; skin specification, section 6]
 class LightMaps {
  public:
@@ -21,15 +22,18 @@ class LightMaps {
   void setLights(gl::Program& program, const LightRig& lights) const;
   const gl::Texture& depth(int light) const { return maps_[std::size_t(light)].target.depth(); }
   const gl::Texture& place(int light) const { return maps_[std::size_t(light)].target.colour(); }
+  const gl::Texture& exit(int light) const { return maps_[std::size_t(light)].exits.depth(); }
   std::size_t bytes() const;
 
  private:
   struct Map {
-    gl::Framebuffer target;
+    gl::Framebuffer target, exits;
     glm::mat4 toMap{1};  // world -> 0 .. 1
     glm::vec2 terms{0};  // see lights.glsl
     float texel = 1;     // mm
   };
+  void drawFacing(const GpuSkin& surface, const glm::mat4& view, unsigned culled, const gl::Framebuffer& to);
+
   gl::Program program_;
   std::array<Map, LightRig::kMost> maps_;
 };

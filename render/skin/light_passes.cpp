@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/pipeline/parameter_key.h"
+#include "render/gl/read_pixels.h"
 #include "render/skin/blur_kernel.h"
 #include "render/skin/gpu_skin.h"
 
@@ -173,8 +174,13 @@ void LightPasses::run(const GpuSkin& surface) {
       next_ = kBlur;
       break;
     case kBlur:
-      blurLevel(surface, nextLevel_);
-      if (++nextLevel_ == kLevels) next_ = kThin;
+      if (surface.surface()->pointBased) {
+        spreadPoints(surface);
+        nextLevel_ = kLevels;
+      } else {
+        blurLevel(surface, nextLevel_++);
+      }
+      if (nextLevel_ == kLevels) next_ = kThin;
       break;
     case kThin:
       blurThin(surface);
@@ -224,6 +230,7 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
   for (int i = 0; i < LightRig::kMost; ++i) {
     bindTo(p, fmt::format("depthMaps[{}]", i), 6 + i, lightMaps_.depth(i));
     bindTo(p, fmt::format("placeMaps[{}]", i), 9 + i, lightMaps_.place(i));
+    bindTo(p, fmt::format("exitMaps[{}]", i), 12 + i, lightMaps_.exit(i));
   }
   lightMaps_.setLights(p, look_.lights);
   p.set("mixBefore", float(look_.skin.mix));
@@ -272,8 +279,21 @@ void LightPasses::blurLevel(const GpuSkin& surface, int level) {
   shownLevel_[at] = level;
 }
 
+void LightPasses::spreadPoints(const GpuSkin& surface) {
+  const auto read = gl::readFloats(irradiance_.colour(0), 4);
+  std::vector<glm::vec4> irradiance(read.size() / 4);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    irradiance[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
+  const auto& spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion, irradiance, points_);
+  for (std::size_t level = 1; level < kLevels; ++level) {
+    levels_[level - 1].setTexels(0, spread[level - 1].data());
+    shownLevel_[level] = int(level);
+  }
+}
+
 void LightPasses::blurThin(const GpuSkin& surface) {
   const gl::Texture& depth = irradiance_.colour(2);
+  if (surface.surface()->pointBased) return;  // blocks do not lie beside their neighbours
   if (look_.skin.thinModel == ThinModel::slab) {
     blur(surface, depth, kThinSmoothing, 0, thin_[0]);
     return;
@@ -292,7 +312,10 @@ void LightPasses::blurThin(const GpuSkin& surface) {
 }
 
 void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffer& to) {
-  const bool slab = look_.skin.thinModel == ThinModel::slab;
+  const bool slab = look_.skin.thinModel == ThinModel::slab, points = surface.surface()->pointBased;
+  const auto thin = [&](int i) -> const gl::Texture& {
+    return points ? irradiance_.colour(2) : thin_[slab ? 0 : std::size_t(i)].colour();
+  };
   gl::Program& p = programs_.use("skin/combine.frag", {kindDefine(look_.lights), slab ? "SLAB" : "GAUSSIANS",
                                                        fmt::format("PART {}", part)});
   bindTo(p, "positionMap", 0, surface.parts().position);
@@ -305,7 +328,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
     p.set(fmt::format("weights[{}]", i).c_str(), glm::vec3(d.weights[std::size_t(i)]));
   }
   for (int i = 0; i < 3; ++i) {
-    bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin_[slab ? 0 : std::size_t(i)].colour());
+    bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin(i));
     bindTo(p, fmt::format("placeMaps[{}]", i), 13 + i, lightMaps_.place(i));
   }
   lightMaps_.setLights(p, look_.lights);

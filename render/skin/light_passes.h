@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/hash.h"
+#include "core/skin/block_diffusion.h"
 #include "core/skin/skin_material.h"
 #include "render/gl/gpu_timer.h"
 #include "render/skin/light_maps.h"
@@ -71,6 +72,7 @@ class LightPasses {
   void blurLevel(const GpuSkin& surface, int level);
   void blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
             gl::Framebuffer& to);
+  void spreadPoints(const GpuSkin& surface);
   void blurThin(const GpuSkin& surface);
   void combine(const GpuSkin& surface, int part, const gl::Framebuffer& to);
 
@@ -90,6 +92,7 @@ class LightPasses {
   std::array<gl::Framebuffer, kLevels - 1> levels_;
   std::array<gl::Framebuffer, 3> thin_;
   std::array<int, kLevels> shownLevel_{};  // equal variances share a map
+  BlockDiffusion points_;                  // for atlases that cannot be blurred
 };
 
 }  // namespace sonoskin

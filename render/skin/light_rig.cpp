@@ -65,7 +65,8 @@ LightRig makeLightRig(const LightOptions& o, const HomeFrame& home, const Box& b
   key.shadows = o.shadows && o.kind != LightKind::inside;
   key.position = lightPlace(o, home);
   if (o.kind != LightKind::far) {
-    key.position = box.centre() + float(o.distance) * key.position;
+    const float limit = o.kind == LightKind::inside ? 0.5f * radius : 1e6f;  // in the body it stays
+    key.position = box.centre() + std::min(float(o.distance), limit) * key.position;
     // Where the lamp stands its strength holds at the middle of the surface, but not closer than a third of its radius.
     key.reach = std::max(float(o.distance), 0.35f * radius);
   }

@@ -1,7 +1,7 @@
 #include "render/skin/skin_pictures.h"
 
-#include <algorithm>
-
+#include "core/skin/reference_diffusion.h"
+#include "core/skin/scatter_profile.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin {
@@ -26,6 +26,19 @@ LightOptions lightsOf(const Parameters& parameters, const PictureOptions& option
   return light;
 }
 
+// Spreads the view's light by integration instead of blurs.
+void integrate(const SkinSurface& surface, const SkinOptions& skin, SkinView& view,
+               const Progress& progress) {
+  const auto read = gl::readFloats(view.level(0), 4);
+  std::vector<glm::vec4> irradiance(read.size() / 4);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    irradiance[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
+  // The literature's skin has no medium behind its Gaussians, and a width is no property of one.
+  const bool gaussians = skin.profile == ScatterProfile::adult || skin.width != 1;
+  view.setDiffused(gaussians ? referenceDiffusion(surface, diffusionOf(skin), irradiance, progress)
+                             : referenceDiffusion(surface, mediumOf(skin), irradiance, progress));
+}
+
 }  // namespace
 
 Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, const Parameters& parameters,
@@ -37,12 +50,17 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   const HomeFrame home = homeFrame(parseCamera(presetOf(options.camera), options.beam, box, aspect));
   const SkinLook skin{parameters.skin, parameters.landmarks,
                       makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
-  const auto surface = prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, 0.8));
+  const auto surface =
+      prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, look.reference ? 0.1 : 0.8));
 
   context.makeCurrent();
   GpuSkin gpu;
   gpu.set(surface);
   SkinView view;
+  if (look.reference) {
+    view.relight(gpu, skin, look.quality);
+    integrate(*surface, skin.skin, view, progress.part(0.1, 0.95));
+  }
   const gl::Framebuffer picture({.size = options.size});
   view.draw({.surface = gpu,
              .camera = camera,

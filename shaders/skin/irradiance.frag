@@ -7,6 +7,7 @@
 
 uniform sampler2D depthMaps[3];
 uniform sampler2D placeMaps[3];
+uniform sampler2D exitMaps[3];  // depths where light first leaves the body
 uniform float mixBefore;  // share of the colour that light takes up before it spreads
 uniform float density;    // of tissue before a light inside
 
@@ -51,8 +52,9 @@ float shadow(int i, sampler2D depths, vec3 p, vec3 n, float cosine) {
   return open / float(TAPS);
 }
 
-// exp(-k d) of the way through the body to where the light enters.                 [skin specification, section 9.1]
-float thickness(int i, sampler2D depths, sampler2D places, vec3 p, vec3 n, vec3 l) {
+// exp(-k d) of the way through the body to where the light enters. Where the way leaves the body in between, as from a
+// hand to the cheek below it, nothing comes through.            [skin specification, section 9.1; the way's exits: ours]
+float thickness(int i, sampler2D depths, sampler2D places, sampler2D exits, vec3 p, vec3 n, vec3 l) {
   float facing = -dot(n, l);
   if (facing <= 0.0) return exp(-kThickness * kNothing);
   vec3 place = inMap(i, p - n * lights[i].texel);
@@ -62,9 +64,11 @@ float thickness(int i, sampler2D depths, sampler2D places, vec3 p, vec3 n, vec3 
   float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(-dot(entryNormal, n), 0.0, 1.0));
   float here = mapDistance(i, place.z), width = lights[i].texel * float(textureSize(depths, 0).x), sum = 0.0;
   for (int k = 0; k < 8; ++k) {
-    float depth = textureLod(depths, place.xy + 1.0 / width * discPoint(k, 8, 0.0), 0.0).r;
+    vec2 near = place.xy + 1.0 / width * discPoint(k, 8, 0.0);
+    float depth = textureLod(depths, near, 0.0).r;
     float d = max(here - mapDistance(i, depth), 0.0) * slant;
-    sum += depth < 1.0 ? exp(-kThickness * d) : 0.0;
+    float apart = here - mapDistance(i, textureLod(exits, near, 0.0).r);  // mm
+    sum += depth < 1.0 ? exp(-kThickness * d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
   }
   return sum / 8.0;
 }
@@ -94,9 +98,9 @@ void main() {
       seen[i] = cosine <= 0.0 ? 0.0 : i == 0 ? shadow(0, depthMaps[0], p, n, cosine)
                                   : i == 1  ? shadow(1, depthMaps[1], p, n, cosine)
                                             : shadow(2, depthMaps[2], p, n, cosine);
-      depth[i] = i == 0   ? thickness(0, depthMaps[0], placeMaps[0], p, n, l)
-                 : i == 1 ? thickness(1, depthMaps[1], placeMaps[1], p, n, l)
-                          : thickness(2, depthMaps[2], placeMaps[2], p, n, l);
+      depth[i] = i == 0   ? thickness(0, depthMaps[0], placeMaps[0], exitMaps[0], p, n, l)
+                 : i == 1 ? thickness(1, depthMaps[1], placeMaps[1], exitMaps[1], p, n, l)
+                          : thickness(2, depthMaps[2], placeMaps[2], exitMaps[2], p, n, l);
     }
     float entry = 1.0 - finish.g * reflected(cosine, finish.r).x;
     sum += arriving(i, p) * seen[i] * max(cosine, 0.0) * entry;
