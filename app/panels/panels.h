@@ -17,6 +17,7 @@ void drawClassificationPanel(
 void drawReconstructionPanel(
     Workspace& workspace);  // smoothness, fit and mesh and print under "Advanced", the button, what was made
 void drawViewPanel(Workspace& workspace);
+void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin
 void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
 
 // The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time.
