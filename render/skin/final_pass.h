@@ -18,7 +18,7 @@ class FinalPass {
   void shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size, const glm::mat4& projection);
   void showMap(const SkinViewInput& input, LightPasses& light);
 
-  PassPrograms programs_;
+  PassPrograms programs_{"common/fullscreen.vert"};
   gl::Program surfaceProgram_;
   gl::Framebuffer surface_, samples_;
   DetailTile detail_;

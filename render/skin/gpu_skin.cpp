@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include <atomic>
+
 namespace sonoskin {
 namespace {
 
@@ -19,6 +21,33 @@ gl::Texture texture(glm::ivec2 size, gl::Format format, gl::Filter filter, const
   return made;
 }
 
+// Rows of tiles that show something, each row's runs as two triangles; 0 to 1 over the atlas.
+std::vector<glm::vec2> coveredTiles(const AtlasMaps& maps) {
+  constexpr int kTile = 8;
+  const glm::ivec2 size = maps.size;
+  std::vector<glm::vec2> corners;
+  for (int y = 0; y < size.y; y += kTile) {
+    const int top = std::min(y + kTile, size.y);
+    const auto covered = [&](int x) {
+      for (int j = y; j < top; ++j)
+        for (int i = x; i < std::min(x + kTile, size.x); ++i)
+          if (maps.position[std::size_t(j) * std::size_t(size.x) + std::size_t(i)].w > 0) return true;
+      return false;
+    };
+    for (int x = 0; x < size.x; x += kTile) {
+      if (!covered(x)) continue;
+      int end = x + kTile;
+      while (end < size.x && covered(end)) end += kTile;
+      const glm::vec2 low = glm::vec2(x, y) / glm::vec2(size),
+                      high = glm::vec2(std::min(end, size.x), top) / glm::vec2(size);
+      const glm::vec2 right(high.x, low.y), left(low.x, high.y);
+      corners.insert(corners.end(), {low, right, high, low, high, left});
+      x = end;
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
 GpuSkin::GpuSkin() : parts_(std::make_unique<Parts>()) {}
@@ -32,12 +61,14 @@ const Box& GpuSkin::box() const { return parts_->box; }
 void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
   if (surface == parts_->surface) return;
   parts_->surface = std::move(surface);
-  ++parts_->number;
+  static std::atomic<std::uint64_t> surfaces{0};
+  parts_->number = ++surfaces;
   parts_->upload();
 }
 
 void GpuSkin::Parts::upload() {
   vertexArray.reset();
+  tileArray.reset();
   box = {};
   if (!surface) return;
   const Mesh& mesh = *surface->mesh;
@@ -53,6 +84,11 @@ void GpuSkin::Parts::upload() {
   vertexArray->attribute(2, 2, uvs);
   vertexArray->indices(indices);
   const AtlasMaps& maps = surface->maps;
+  const std::vector<glm::vec2> corners = coveredTiles(maps);
+  tiles = gl::Buffer(std::span<const glm::vec2>(corners));
+  tileVertices = int(corners.size());
+  tileArray.emplace();
+  tileArray->attribute(0, 2, tiles);
   position = texture(maps.size, gl::Format::rgba32f, gl::Filter::nearest, maps.position);
   normal = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.normal);
   open = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.occlusion);
@@ -62,6 +98,13 @@ void GpuSkin::Parts::upload() {
 void GpuSkin::Parts::draw() const {
   glBindVertexArray(vertexArray->name());
   glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuSkin::Parts::drawAtlas() const {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glBindVertexArray(tileArray->name());
+  glDrawArrays(GL_TRIANGLES, 0, tileVertices);
 }
 
 std::size_t GpuSkin::Parts::bytes() const {

@@ -15,15 +15,18 @@ namespace sonoskin {
 //                  open sky;  stretch: mm per texel;  charts: number of the chart
 struct GpuSkin::Parts {
   std::shared_ptr<const SkinSurface> surface;
-  std::uint64_t number = 0;  // grows with every surface that is set
+  std::uint64_t number = 0;  // of the surface: every one that is set anywhere gets another
   Box box;
-  std::optional<gl::VertexArray> vertexArray;
-  gl::Buffer positions, normals, uvs, indices;
+  std::optional<gl::VertexArray> vertexArray, tileArray;
+  gl::Buffer positions, normals, uvs, indices, tiles;
+  int tileVertices = 0;
   gl::Texture position, normal, open, stretch;
 
   void upload();
   // draw: all triangles, with the program in use.
   void draw() const;
+  // drawAtlas: the parts of the atlas that show something, with a program of skin/atlas.vert: half of it is empty.
+  void drawAtlas() const;
   glm::ivec2 atlasSize() const { return surface->maps.size; }
   std::size_t bytes() const;
 };

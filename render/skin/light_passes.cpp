@@ -21,6 +21,13 @@ gl::Framebuffer map(std::vector<gl::Format> formats) {
   return gl::Framebuffer({.size = {1, 1}, .colours = std::move(formats), .filter = gl::Filter::linear});
 }
 
+// Maps are drawn where the surface is: the rest must be empty before.
+void fitCleared(gl::Framebuffer& map, glm::ivec2 size) {
+  if (map.size() == size) return;
+  map.fit(size);
+  map.clear({});
+}
+
 glm::vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 void setLandmarks(gl::Program& program, const LandmarkOptions& l) {
@@ -51,10 +58,10 @@ SkinTables::SkinTables(const SkinMaterial& m) {
 LightPasses::LightPasses()
     : material_(map({gl::Format::rgba16f, gl::Format::rgba8})),
       irradiance_(map({gl::Format::rgba16f, gl::Format::rgba8, gl::Format::rgba16f})),
-      spare_(map({gl::Format::rgba16f})),
       diffused_(map({gl::Format::rgba16f})),
       through_(map({gl::Format::rgba16f})) {
   specularTable_ = specularTexture();
+  for (gl::Framebuffer& spare : spares_) spare = map({gl::Format::rgba16f});
   for (gl::Framebuffer& level : levels_) level = map({gl::Format::rgba16f});
   for (gl::Framebuffer& thin : thin_) thin = map({gl::Format::rgba16f});
 }
@@ -99,11 +106,10 @@ bool LightPasses::shows(const GpuSkin& surface, const SkinLook& look, const Skin
 }
 
 void LightPasses::begin(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) {
-  const glm::ivec2 size = surface.parts().atlasSize();
-  if (!finished() && size == size_) return;
+  fit(surface);
+  if (!finished()) return;
   const Keys keys = keysOf(surface, look, quality);
-  if (finished() && keys == done_) return;
-  fit(size);
+  if (keys == done_) return;
   adopt(look, quality);
   wanted_ = keys;
   nextLevel_ = 1;
@@ -124,7 +130,7 @@ void LightPasses::adopt(const SkinLook& look, const SkinQuality& quality) {
 
 void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,
                          const std::vector<glm::vec4>& irradiance) {
-  fit(surface.parts().atlasSize());
+  fit(surface);
   SkinLook look{skin, {}, {}};
   look.lights.lights.resize(1);
   look.lights.lights[0] = {.colour = glm::vec3(0), .shadows = false};
@@ -139,14 +145,20 @@ void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,
   }
 }
 
-void LightPasses::fit(glm::ivec2 size) {
-  if (size == size_) return;
-  size_ = size;
+void LightPasses::fit(const GpuSkin& surface) {
+  if (surface.parts().number == surface_) return;
+  surface_ = surface.parts().number;
+  size_ = surface.parts().atlasSize();
   done_ = {};
-  for (gl::Framebuffer* f : {&material_, &irradiance_, &spare_, &diffused_}) f->fit(size);
-  for (gl::Framebuffer& level : levels_) level.fit(size);
-  thin_[0].fit(size);
-  diffused_.clear({});
+  next_ = kDone;
+  for (gl::Framebuffer* map : {&material_, &irradiance_, &diffused_, &thin_[0]}) {
+    map->fit(size_);
+    map->clear({});
+  }
+  // The others come to their size when they are drawn.
+  for (gl::Framebuffer* map : {&thin_[1], &thin_[2], &through_}) map->fit({1, 1});
+  for (gl::Framebuffer& map : levels_) map.fit({1, 1});
+  for (gl::Framebuffer& map : spares_) map.fit({1, 1});
 }
 
 bool LightPasses::step(const GpuSkin& surface) {
@@ -215,7 +227,7 @@ void LightPasses::drawMaterial(const GpuSkin& surface) {
   p.set("painted", o.colour == SkinColour::pigments ? 1.f : 0.f);
   setLandmarks(p, look_.landmarks);
   material_.bind();
-  gl::drawFullScreen();
+  surface.parts().drawAtlas();
 }
 
 void LightPasses::drawIrradiance(const GpuSkin& surface) {
@@ -236,7 +248,7 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
   p.set("mixBefore", float(look_.skin.mix));
   p.set("density", float(look_.skin.density));
   irradiance_.bind();
-  gl::drawFullScreen();
+  surface.parts().drawAtlas();
 }
 
 const gl::Texture& LightPasses::level(int level) const {
@@ -244,38 +256,62 @@ const gl::Texture& LightPasses::level(int level) const {
   return shown == 0 ? irradiance_.colour(0) : levels_[std::size_t(shown - 1)].colour();
 }
 
-void LightPasses::blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
-                       gl::Framebuffer& to) {
-  const double texel = double(surface.surface()->atlas.texel);
-  const BlurKernel kernel = makeBlurKernel(blurSpacing(sigma, texel, smoothed));
-  // A look between two texels blurs too: by f (1 - f) texels^2 at the share f of the way, a sixth on average.
-  const double looks = (1 - double(kernel.weights[0])) * texel * texel / 6;
-  sigma = std::sqrt(std::max(sigma * sigma - looks, 0.25 * sigma * sigma));
+// Spread: one blur. Lengths in mm.
+//   sigma, smoothed   of this blur, and of those before
+//   from, to          texels of what is read and drawn
+struct LightPasses::Spread {
+  double sigma = 0, smoothed = 0, from = 0, to = 0;
+};
+
+void LightPasses::blur(const GpuSkin& surface, const gl::Texture& from, const Spread& spread,
+                       gl::Framebuffer& spare, gl::Framebuffer& to) {
+  const BlurKernel kernel = makeBlurKernel(blurSpacing(spread.sigma, spread.from, spread.smoothed));
   gl::Program& p = programs_.use("skin/blur.frag", {fmt::format("TAPS {}", kernel.places.size() - 1)});
   bindTo(p, "stretchMap", 1, surface.parts().stretch);
-  p.set("sigma", float(sigma));
   p.set("places", std::span<const float>(kernel.places));
   p.set("weights", std::span<const float>(kernel.weights));
-  bindTo(p, "light", 0, from);
-  p.set("axis", glm::vec2(1, 0));
-  spare_.bind();
-  gl::drawFullScreen();
-  bindTo(p, "light", 0, spare_.colour());
-  p.set("axis", glm::vec2(0, 1));
-  to.bind();
-  gl::drawFullScreen();
+  p.set("size", glm::vec2(to.size()));
+  // A look between two texels blurs too: by f (1 - f) texels^2 at the share f of the way, a sixth on average. On the way
+  // to a coarser map the middle is a corner of texels as well.
+  const double others = 1 - double(kernel.weights[0]), variance = spread.sigma * spread.sigma;
+  const bool coarser = spread.to > spread.from;
+  const auto along = [&](double texel, double corner) {
+    const double looks = others * texel * texel / 6 + corner * spread.from * spread.from / 4;
+    return float(std::sqrt(std::max(variance - looks, 0.25 * variance)));
+  };
+  const auto draw = [&](const gl::Texture& light, const glm::vec2& axis, float sigma,
+                        const gl::Framebuffer& target) {
+    bindTo(p, "light", 0, light);
+    p.set("axis", axis);
+    p.set("sigma", sigma);
+    target.bind();
+    surface.parts().drawAtlas();
+  };
+  draw(from, {1, 0}, along(spread.from, coarser ? double(kernel.weights[0]) : 0), spare);
+  draw(spare.colour(), {0, 1}, along(spread.to, coarser ? 1 : 0), to);
 }
 
 // The narrowest Gaussian is taken as sharp: it is narrower than a texel, and the final pass has it at the picture's
-// resolution. So the second one gets its whole variance.
+// resolution. So the second one gets its whole variance. Wide blurs have maps of half or a quarter of the texels along a
+// side; what reading between those blurs is taken off.                                 [skin specification, section 8]
 void LightPasses::blurLevel(const GpuSkin& surface, int level) {
   const auto at = std::size_t(level);
+  const double texel = double(surface.surface()->atlas.texel);
   const auto& v = skin_.diffusion.variances;
-  const double before = level == 1 ? 0 : v[at - 1], added = v[at] - before;
+  if (level == 1) stored_.fill(0), shift_.fill(0);
+  stored_[at] = stored_[at - 1];
+  shift_[at] = shift_[at - 1];
   shownLevel_[0] = 0;
   shownLevel_[at] = shownLevel_[at - 1];
-  if (added < 1e-6) return;
-  blur(surface, this->level(level - 1), std::sqrt(added), std::sqrt(before), levels_[at - 1]);
+  if (v[at] - v[at - 1] < 1e-6) return;
+  const double wide = std::sqrt(v[at] - v[at - 1]) / texel;
+  shift_[at] = std::max(shift_[at - 1], wide < 3 ? 0 : wide < 6 ? 1 : 2);
+  const double from = std::ldexp(texel, shift_[at - 1]), to = std::ldexp(texel, shift_[at]);
+  const double wanted = v[at] - (shift_[at] > 0 ? to * to / 6 : 0), added = wanted - stored_[at - 1];
+  gl::Framebuffer &map = levels_[at - 1], &spare = spares_[std::size_t(shift_[at])];
+  for (gl::Framebuffer* f : {&map, &spare}) fitCleared(*f, coarse(shift_[at]));
+  blur(surface, this->level(level - 1), {std::sqrt(added), std::sqrt(stored_[at - 1]), from, to}, spare, map);
+  stored_[at] = wanted;
   shownLevel_[at] = level;
 }
 
@@ -286,6 +322,7 @@ void LightPasses::spreadPoints(const GpuSkin& surface) {
     irradiance[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
   const auto& spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion, irradiance, points_);
   for (std::size_t level = 1; level < kLevels; ++level) {
+    fitCleared(levels_[level - 1], size_);
     levels_[level - 1].setTexels(0, spread[level - 1].data());
     shownLevel_[level] = int(level);
   }
@@ -294,18 +331,20 @@ void LightPasses::spreadPoints(const GpuSkin& surface) {
 void LightPasses::blurThin(const GpuSkin& surface) {
   const gl::Texture& depth = irradiance_.colour(2);
   if (surface.surface()->pointBased) return;  // blocks do not lie beside their neighbours
+  const double texel = double(surface.surface()->atlas.texel);
+  fitCleared(spares_[0], size_);
   if (look_.skin.thinModel == ThinModel::slab) {
-    blur(surface, depth, kThinSmoothing, 0, thin_[0]);
+    blur(surface, depth, {kThinSmoothing, 0, texel, texel}, spares_[0], thin_[0]);
     return;
   }
   // The depth that Gaussian i meets is blurred as far as level i - 1.                       [skin specification, section 9.2]
   const auto& v = skin_.diffusion.variances;
-  for (gl::Framebuffer& thin : thin_) thin.fit(size_);
+  for (gl::Framebuffer& thin : thin_) fitCleared(thin, size_);
   double before = 0;
   const gl::Texture* from = &depth;
   for (std::size_t k = 0; k < thin_.size(); ++k) {
     const double added = std::max(v[k + 2] - before, 1e-4);
-    blur(surface, *from, std::sqrt(added), std::sqrt(before), thin_[k]);
+    blur(surface, *from, {std::sqrt(added), std::sqrt(before), texel, texel}, spares_[0], thin_[k]);
     before += added;
     from = &thin_[k].colour();
   }
@@ -337,11 +376,11 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   p.set("translucency", float(look_.skin.translucency));
   p.set("mixBefore", float(look_.skin.mix));
   to.bind();
-  gl::drawFullScreen();
+  surface.parts().drawAtlas();
 }
 
 void LightPasses::drawThrough(const GpuSkin& surface) {
-  through_.fit(size_);
+  fitCleared(through_, size_);
   combine(surface, 1, through_);
 }
 
@@ -358,11 +397,15 @@ SkinView::Timing LightPasses::timing() const {
 }
 
 std::size_t LightPasses::bytes() const {
-  const auto texels = std::size_t(size_.x) * std::size_t(size_.y);
-  std::size_t perTexel = (8 + 4) + (8 + 4 + 8) + 8 + 8 + 5 * 8 + 8;
-  if (thin_[1].size() == size_) perTexel += 16;
-  if (through_.size() == size_) perTexel += 8;
-  return texels * perTexel + lightMaps_.bytes();
+  const auto texels = [](const gl::Framebuffer& f) {
+    return std::size_t(f.size().x) * std::size_t(f.size().y);
+  };
+  std::size_t sum =
+      texels(material_) * 12 + texels(irradiance_) * 20 + texels(diffused_) * 8 + texels(through_) * 8;
+  for (const gl::Framebuffer& f : levels_) sum += texels(f) * 8;
+  for (const gl::Framebuffer& f : spares_) sum += texels(f) * 8;
+  for (const gl::Framebuffer& f : thin_) sum += texels(f) * 8;
+  return sum + lightMaps_.bytes();
 }
 
 }  // namespace sonoskin

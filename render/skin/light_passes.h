@@ -36,7 +36,8 @@ class LightPasses {
   bool shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const;
 
   static constexpr int kLevels = GaussianSum::kCount;
-  // level: 0 the irradiance, i the first i+1 Gaussians' blur; premultiplied by coverage in a.
+  // level: 0 the irradiance, i the first i+1 Gaussians' blur; premultiplied by coverage in a;
+  // wide blurs have coarser maps.
   const gl::Texture& level(int level) const;
   const gl::Texture& albedo() const { return material_.colour(0); }
   const gl::Texture& finish() const { return material_.colour(1); }
@@ -65,18 +66,20 @@ class LightPasses {
   };
   static Keys keysOf(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
   void run(const GpuSkin& surface);
-  void fit(glm::ivec2 size);
+  void fit(const GpuSkin& surface);
+  glm::ivec2 coarse(int shift) const { return (size_ + (1 << shift) - 1) >> shift; }
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
   void drawIrradiance(const GpuSkin& surface);
   void blurLevel(const GpuSkin& surface, int level);
-  void blur(const GpuSkin& surface, const gl::Texture& from, double sigma, double smoothed,
+  struct Spread;
+  void blur(const GpuSkin& surface, const gl::Texture& from, const Spread& spread, gl::Framebuffer& spare,
             gl::Framebuffer& to);
   void spreadPoints(const GpuSkin& surface);
   void blurThin(const GpuSkin& surface);
   void combine(const GpuSkin& surface, int part, const gl::Framebuffer& to);
 
-  PassPrograms programs_;
+  PassPrograms programs_{"skin/atlas.vert"};
   LightMaps lightMaps_;
   SkinLook look_;
   SkinQuality quality_;
@@ -88,11 +91,14 @@ class LightPasses {
   std::array<gl::GpuTimer, kDone + kLevels> timers_;  // by pass; blurs by level behind them
   bool reference_ = false;
   glm::ivec2 size_{0};
-  gl::Framebuffer material_, irradiance_, spare_, diffused_, through_;
+  std::uint64_t surface_ = 0;  // number of the surface that the maps are of
+  gl::Framebuffer material_, irradiance_, diffused_, through_;
   std::array<gl::Framebuffer, kLevels - 1> levels_;
-  std::array<gl::Framebuffer, 3> thin_;
-  std::array<int, kLevels> shownLevel_{};  // equal variances share a map
-  BlockDiffusion points_;                  // for atlases that cannot be blurred
+  std::array<gl::Framebuffer, 3> thin_, spares_;  // spares by coarseness
+  std::array<double, kLevels> stored_{};          // variance of what each level's map holds, mm^2
+  std::array<int, kLevels> shift_{};              // its texels are 2^shift as long
+  std::array<int, kLevels> shownLevel_{};         // equal variances share a map
+  BlockDiffusion points_;                         // for atlases that cannot be blurred
 };
 
 }  // namespace sonoskin

@@ -8,8 +8,7 @@ namespace sonoskin {
 
 gl::Program& PassPrograms::use(const std::string& file, const std::vector<std::string>& defines) {
   auto& found = programs_[fmt::format("{} {}", file, fmt::join(defines, " "))];
-  if (!found)
-    found = std::make_unique<gl::Program>(std::vector<std::string>{"common/fullscreen.vert", file}, defines);
+  if (!found) found = std::make_unique<gl::Program>(std::vector<std::string>{vertexShader_, file}, defines);
   found->use();
   return *found;
 }

@@ -10,13 +10,15 @@
 
 namespace sonoskin {
 
-// PassPrograms: full-screen programs by file and defines, each compiled when first needed.
+// PassPrograms: programs of one vertex shader by fragment shader and defines, each compiled when first needed.
 class PassPrograms {
  public:
+  explicit PassPrograms(std::string vertexShader) : vertexShader_(std::move(vertexShader)) {}
   // use: the program, in use.
   gl::Program& use(const std::string& file, const std::vector<std::string>& defines);
 
  private:
+  std::string vertexShader_;
   std::map<std::string, std::unique_ptr<gl::Program>> programs_;
 };
 

@@ -97,7 +97,7 @@ class SkinView {
   bool complete() const;
 
   // relight: runs the light passes without drawing; maps: the light in the atlas afterwards, level 0 (irradiance) to 5,
-  // linear RGB with coverage in a; `diffused`: the weighted sum of levels 1 to 5 and the light through thin parts;
+  // linear RGB with coverage in a, wide blurs in coarser maps; `diffused`: the weighted sum of levels 1 to 5 and the light through thin parts;
   // `albedo`; `finish` (roughness, gloss, wetness, vernix).
   void relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
   const gl::Texture& level(int level) const;
