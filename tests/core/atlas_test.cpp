@@ -117,6 +117,31 @@ TEST(Atlas, FoldedSheetIsSplit) {
   EXPECT_LT(split.uncovered, 0.01);
 }
 
+TEST(Atlas, StairsThatWindAboveThemselvesAreSplit) {
+  // All of it faces the front, is connected and lies over itself twice.
+  const Mesh stairs = sheet(160, [](float x, float y) {
+    const float angle = 0.08f * x, r = 5 + 0.1f * y;
+    return glm::vec3(r * std::cos(angle), r * std::sin(angle), 0.5f * angle);
+  });
+  const Atlas atlas = buildAtlas(stairs, {});
+  EXPECT_GE(atlas.charts, 2);
+  const AtlasCheck check = checkAtlas(stairs, atlas);
+  EXPECT_LT(check.overlap, 0.01);
+  EXPECT_LT(check.uncovered, 0.01);
+}
+
+TEST(Atlas, NoiseDoesNotScatterCharts) {
+  Mesh ball = test::icosphere(6, 30, {0, 0, 0});
+  std::uint32_t state = 1;
+  for (glm::vec3& p : ball.positions) {
+    state = 1664525 * state + 1013904223;
+    p *= 1 + 0.004f * (float(state >> 8) / float(1 << 23) - 1);  // up to 0.12 mm, a fifth of an edge
+  }
+  const Atlas atlas = buildAtlas(ball, {});
+  EXPECT_LE(atlas.charts, 14);
+  EXPECT_LT(checkAtlas(ball, atlas).seamLength, 1200);
+}
+
 TEST(Atlas, TurnedSurfaceWithItsFrontGetsTheSameAtlas) {
   Mesh ball = sheet(
       40, [](float x, float y) { return glm::vec3(x, 8 * std::sin(0.2f * x) * std::cos(0.15f * y), y); });
