@@ -128,7 +128,7 @@ bool endsAsZip(const fs::path& path) {
 }  // namespace
 
 Bytes encodeStl(const Mesh& mesh) {
-  Mesh flat{mesh.positions, {}, {}, mesh.triangles};  // without normals, assimp makes the triangles' own
+  Mesh flat{mesh.positions, {}, {}, mesh.triangles, {}};  // without normals, assimp makes the triangles' own
   Bytes bytes = exported(flat, "stlb");
   // Must not begin with "solid": readers would take the file for text.
   std::fill_n(bytes.begin(), 80, std::uint8_t(' '));
@@ -138,7 +138,7 @@ Bytes encodeStl(const Mesh& mesh) {
 }
 
 Bytes encodeObj(const Mesh& mesh) {
-  Bytes bytes = exported({mesh.positions, mesh.normals, {}, mesh.triangles}, "objnomtl");
+  Bytes bytes = exported({mesh.positions, mesh.normals, {}, mesh.triangles, {}}, "objnomtl");
   // In place of the first line, assimp's name.
   const std::string line = "# " + header();
   const auto end = std::find(bytes.begin(), bytes.end(), std::uint8_t('\n'));

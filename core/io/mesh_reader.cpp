@@ -4,6 +4,7 @@
 #include <assimp/scene.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
@@ -26,6 +27,14 @@ using Places = std::unordered_map<glm::vec3, std::uint32_t, PositionHash>;
 
 glm::vec3 vectorOf(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
+// What does not spread over a picture is something else, such as the visibility in our own GLB files.
+bool hasArea(const std::vector<std::array<glm::vec2, 3>>& uvs) {
+  return std::any_of(uvs.begin(), uvs.end(), [](const std::array<glm::vec2, 3>& c) {
+    const glm::vec2 a = c[1] - c[0], b = c[2] - c[0];
+    return a.x * b.y != a.y * b.x;
+  });
+}
+
 // Collects all parts of an assimp scene in one mesh.
 class Collector {
  public:
@@ -39,6 +48,7 @@ class Collector {
       n /= length > 0 ? length : 1;
     }
     if (!normalsGiven_) mesh_.normals.clear();
+    if (!uvsGiven_ || !hasArea(mesh_.cornerUvs)) mesh_.cornerUvs.clear();
     return std::move(mesh_);
   }
 
@@ -58,13 +68,23 @@ class Collector {
       moved[v] = place(vectorOf(toWorld * part.mVertices[v]), normal);
     }
     normalsGiven_ = normalsGiven_ && part.HasNormals();
+    uvsGiven_ = uvsGiven_ && part.HasTextureCoords(0);
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
       if (face.mNumIndices != 3) continue;  // points and lines
       Triangle t{moved[face.mIndices[0]], moved[face.mIndices[1]], moved[face.mIndices[2]]};
       if (mirrors) std::swap(t[1], t[2]);
       mesh_.triangles.push_back(t);
+      if (uvsGiven_) addUvs(part.mTextureCoords[0], face, mirrors);
     }
+  }
+
+  // Per corner, for vertices on both sides of a seam of the picture become one.
+  void addUvs(const aiVector3D* uvs, const aiFace& face, bool mirrors) {
+    std::array<glm::vec2, 3> corners;
+    for (unsigned i = 0; i < 3; ++i) corners[i] = {uvs[face.mIndices[i]].x, uvs[face.mIndices[i]].y};
+    if (mirrors) std::swap(corners[1], corners[2]);
+    mesh_.cornerUvs.push_back(corners);
   }
 
   std::uint32_t place(glm::vec3 position, const glm::vec3& normal) {
@@ -84,7 +104,7 @@ class Collector {
   const fs::path& path_;
   Mesh mesh_;
   Places places_;
-  bool normalsGiven_ = true;
+  bool normalsGiven_ = true, uvsGiven_ = true;
 };
 
 // assimp trusts the count of a binary STL's triangles.
@@ -102,12 +122,11 @@ Mesh readWithAssimp(const fs::path& path, const std::string& extension) {
   const std::vector<std::uint8_t> bytes = readBytes(path);
   if (extension == ".stl") checkStl(bytes, path);
   Assimp::Importer importer;
-  // The normals of STL are flat; textures and colours would keep apart what lies at one place.
+  // The normals of STL are flat; colours would keep apart what lies at one place.
   const int without = extension == ".stl" ? int(aiComponent_NORMALS) : 0;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, without | aiComponent_TEXCOORDS | aiComponent_COLORS |
-                                                          aiComponent_TANGENTS_AND_BITANGENTS |
-                                                          aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                                          aiComponent_TEXTURES);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                              without | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                  aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES);
   const aiScene* scene = nullptr;
   try {
     scene = importer.ReadFileFromMemory(

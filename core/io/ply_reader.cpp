@@ -186,19 +186,28 @@ void skipProperty(const Property& property, Body& body) {
   for (double n = 0; n < count; ++n) body.next(property.type);
 }
 
-void readVertices(const Element& element, Body& body, Mesh& mesh, const Progress& progress) {
-  static constexpr std::array<std::string_view, 7> kNames{"x", "y", "z", "nx", "ny", "nz", "visibility"};
+// The name of a vertex' property: texture coordinates go by several.
+std::string_view usualName(const std::string& name) {
+  if (name == "u" || name == "texture_u" || name == "texture_s") return "s";
+  if (name == "v" || name == "texture_v" || name == "texture_t") return "t";
+  return name;
+}
+
+void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
+                  const Progress& progress) {
+  static constexpr std::array<std::string_view, 9> kNames{"x",  "y",          "z", "nx", "ny",
+                                                          "nz", "visibility", "s", "t"};
   std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
-  std::array<bool, 7> has{};
+  std::array<bool, kNames.size()> has{};
   for (const Property& p : element.properties) {
-    const auto found = p.count ? kNames.end() : std::find(kNames.begin(), kNames.end(), p.name);
+    const auto found = p.count ? kNames.end() : std::find(kNames.begin(), kNames.end(), usualName(p.name));
     slots.push_back(std::size_t(found - kNames.begin()));
     if (found != kNames.end()) has[slots.back()] = true;
   }
   const bool normals = has[3] && has[4] && has[5];
   for (std::uint64_t v = 0; v < element.count; ++v) {
     if (v % 65536 == 0) progress.update(double(v) / double(element.count));
-    std::array<float, 8> values{};
+    std::array<float, kNames.size()> values{};
     for (std::size_t p = 0; p < slots.size(); ++p) {
       if (slots[p] == kNames.size())
         skipProperty(element.properties[p], body);
@@ -208,6 +217,7 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, const Progress
     mesh.positions.emplace_back(values[0], values[1], values[2]);
     if (normals) mesh.normals.emplace_back(values[3], values[4], values[5]);
     if (has[6]) mesh.visibility.push_back(values[6]);
+    if (has[7] && has[8]) uvs.emplace_back(values[7], values[8]);
   }
 }
 
@@ -251,6 +261,11 @@ void checkResult(const Mesh& mesh, const fs::path& path) {
     if (std::max({t[0], t[1], t[2]}) >= mesh.positions.size()) failBody(path);
 }
 
+void setUvs(const std::vector<glm::vec2>& uvs, Mesh& mesh) {
+  if (uvs.size() != mesh.positions.size()) return;
+  for (const auto& [a, b, c] : mesh.triangles) mesh.cornerUvs.push_back({uvs[a], uvs[b], uvs[c]});
+}
+
 }  // namespace
 
 Mesh readPly(const fs::path& path, const Progress& progress) {
@@ -259,10 +274,11 @@ Mesh readPly(const fs::path& path, const Progress& progress) {
   const Header header = parseHeader(text, path);
   Body body(text.substr(header.bytes), header.format, path);
   Mesh mesh;
+  std::vector<glm::vec2> uvs;
   for (const Element& element : header.elements) {
     checkRoom(element, body, path);
     if (element.name == "vertex")
-      readVertices(element, body, mesh, progress.part(0, 0.5));
+      readVertices(element, body, mesh, uvs, progress.part(0, 0.5));
     else if (element.name == "face")
       readFaces(element, body, mesh, path, progress.part(0.5, 1));
     else
@@ -270,6 +286,7 @@ Mesh readPly(const fs::path& path, const Progress& progress) {
         for (const Property& p : element.properties) skipProperty(p, body);
   }
   checkResult(mesh, path);
+  setUvs(uvs, mesh);
   return mesh;
 }
 

@@ -105,7 +105,7 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
   constexpr std::size_t kEnough = 56;
   double allowed = 0.02;
   joinCharts(facets, normals, axes, smallest, allowed, charts);
-  for (int round = 0; round < 5 && charts.size() > kEnough; ++round) {
+  for (int round = 0; round < 6 && charts.size() > kEnough; ++round) {
     allowed = std::min(0.2, 2 * allowed);
     joinCharts(facets, normals, axes, smallest * (1 << round), allowed, charts);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -42,6 +43,11 @@ struct AtlasOptions {
 //   cost     1 million triangles: below 2 s on two cores
 //   errors   Cancelled
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress = {});
+
+// atlasFromCoordinates: charts as the mesh's own texture coordinates have them, at a size at which the middle one of its
+// triangles has options.texel mm per texel. Without skirts: beside a chart is nothing.
+//   output   nothing where the mesh has no coordinates, or where more than 0.01 of their picture is used twice
+std::optional<Atlas> atlasFromCoordinates(const Mesh& mesh, const AtlasOptions& options);
 
 // blockAtlas: every triangle gets a small block of its own. Works for any mesh and has no overlap, but nothing lies
 // beside its neighbours: for point-based diffusion only.

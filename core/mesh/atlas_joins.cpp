@@ -9,6 +9,7 @@
 namespace sonoskin {
 namespace {
 
+constexpr double kTurned = 0.08;  // largest share of a chart that may be turned away from its axis
 constexpr float kCell = 0.6f, kDepth = 0.8f;  // mm
 
 // ChartCells: how deep the surface lies in each cell of each chart.
@@ -110,7 +111,7 @@ void joinCharts(const Facets& facets, const std::vector<glm::vec3>& normals,
   for (const auto& [area, c] : small)
     for (const std::uint32_t into : neighboursOf(regions[c])) {
       const std::uint32_t axis = charts.axis[into];
-      if (turnedAway(facets, normals, triangles[c], axes[axis].toward) > allowed) continue;
+      if (turnedAway(facets, normals, triangles[c], axes[axis].toward) > std::min(allowed, kTurned)) continue;
       if (cells.conflict(into, axis, triangles[c]) > allowed) continue;
       cells.add(into, axis, triangles[c]);
       triangles[into].insert(triangles[into].end(), triangles[c].begin(), triangles[c].end());

@@ -86,8 +86,12 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress) {
     if (!mesh.visibility.empty()) piece.visibility.push_back(mesh.visibility[v]);
   }
   progress.update(0.8);
-  for (const Triangle& t : mesh.triangles)
-    pieces[rank.ofVertex[t[0]]].triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    Mesh& piece = pieces[rank.ofVertex[t[0]]];
+    piece.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    if (!mesh.cornerUvs.empty()) piece.cornerUvs.push_back(mesh.cornerUvs[i]);
+  }
   progress.update(1);
   return pieces;
 }
@@ -101,11 +105,13 @@ Mesh joinPieces(const std::vector<Mesh>& pieces) {
     whole.positions.insert(whole.positions.end(), piece.positions.begin(), piece.positions.end());
     whole.normals.insert(whole.normals.end(), piece.normals.begin(), piece.normals.end());
     whole.visibility.insert(whole.visibility.end(), piece.visibility.begin(), piece.visibility.end());
+    whole.cornerUvs.insert(whole.cornerUvs.end(), piece.cornerUvs.begin(), piece.cornerUvs.end());
     for (const Triangle& t : piece.triangles)
       whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   if (whole.normals.size() != whole.positions.size()) whole.normals.clear();
   if (whole.visibility.size() != whole.positions.size()) whole.visibility.clear();
+  if (whole.cornerUvs.size() != whole.triangles.size()) whole.cornerUvs.clear();
   return whole;
 }
 

@@ -66,6 +66,7 @@ Mesh decimateMesh(const Mesh& mesh, std::size_t triangles, const Progress& progr
     for (std::size_t t = 0; t < isKept.size(); ++t) (isKept[t] ? kept : others).push_back(mesh.triangles[t]);
     if (others.empty()) break;
     Mesh reduced = mesh;
+    reduced.cornerUvs.clear();  // of triangles that are no more
     reduced.triangles = simplifyAside(mesh, others, triangles - std::min(triangles, kept.size()), progress);
     reduced.triangles.insert(reduced.triangles.end(), kept.begin(), kept.end());
     const std::vector<std::uint32_t> bad = defectiveVertices(reduced);

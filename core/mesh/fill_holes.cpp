@@ -237,6 +237,7 @@ Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& pro
     return l.size() < 3 || sizeAcross(filled, l, options.largest) > options.largest;
   });
   if (loops.empty()) return filled;
+  filled.cornerUvs.clear();  // no picture has a place for what is new
   BorderEdges edges(filled, loops);
   const Mesh before = filled;
   const TriangleTree tree(before);

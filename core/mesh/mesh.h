@@ -14,11 +14,14 @@ using Triangle = std::array<std::uint32_t, 3>;
 //   normals      unit; as many as positions, or empty
 //   visibility   0 (the probe cannot have seen it) to 1; as many as positions, or empty where it is unknown
 //   triangles    indices into positions
+//   cornerUvs    texture coordinates that a file brought: u to the right, v up, 0 to 1 over its picture; one for each
+//                triangle's three corners, or empty
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<float> visibility;
   std::vector<Triangle> triangles;
+  std::vector<std::array<glm::vec2, 3>> cornerUvs;
 
   bool empty() const { return triangles.empty(); }
 };

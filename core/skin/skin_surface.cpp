@@ -18,6 +18,21 @@ std::shared_ptr<const Mesh> reduced(std::shared_ptr<const Mesh> mesh, int triang
   return std::make_shared<const Mesh>(std::move(own));
 }
 
+// The atlas of the mesh's own coordinates if that is asked for and good, else one made for it.
+void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& surface,
+               const Progress& progress) {
+  const Mesh& mesh = *surface.mesh;
+  if (std::optional<Atlas> own = ownCoordinates ? atlasFromCoordinates(mesh, options) : std::nullopt) {
+    surface.check = checkAtlas(mesh, *own);
+    surface.atlas = std::move(*own);
+    if (surface.check.good()) return;
+  }
+  surface.atlas = buildAtlas(mesh, options, progress.part(0, 0.8));
+  surface.check = checkAtlas(mesh, surface.atlas);
+  surface.pointBased = !surface.check.good();
+  if (surface.pointBased) surface.atlas = blockAtlas(mesh, options.texel, options.maxSize);
+}
+
 }  // namespace
 
 SkinQuality fullQuality() { return {}; }
@@ -42,11 +57,7 @@ std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh,
   options.texel = quality.texel;
   options.front = front;
   options.maxSize = kMaxSize;
-  surface->atlas = buildAtlas(*surface->mesh, options, progress.part(0.5, 0.75));
-  surface->check = checkAtlas(*surface->mesh, surface->atlas);
-  progress.update(0.8);
-  surface->pointBased = !surface->check.good();
-  if (surface->pointBased) surface->atlas = blockAtlas(*surface->mesh, quality.texel, kMaxSize);
+  findAtlas(options, quality.ownCoordinates, *surface, progress.part(0.5, 0.8));
   surface->vertices = splitAtSeams(*surface->mesh, surface->atlas);
   surface->maps = bakeAtlas(*surface->mesh, traits, surface->atlas, progress.part(0.8, 1));
   return surface;

@@ -14,12 +14,14 @@ namespace sonoskin {
 //   shadowSize      texels along the side of each light's depth map
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2
+//   ownCoordinates  whether a mesh's own texture coordinates are used, where it has any and they are good enough
 struct SkinQuality {
   int triangles = 0;
   double texel = 0.15;
   int shadowSize = 2048;
   int shadowTaps = 32;
   int detailLayers = 2;
+  bool ownCoordinates = false;
 };
 
 // fullQuality: for graphics cards and finished pictures; lightQuality: for software renderers.

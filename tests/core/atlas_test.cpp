@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -266,6 +267,56 @@ TEST(Atlas, CanBeCancelled) {
   ProgressSink sink;
   sink.cancel = true;
   EXPECT_THROW(buildAtlas(test::icosphere(3, 30, {0, 0, 0}), {}, Progress(sink)), Cancelled);
+}
+
+// A sheet of 20 mm whose picture is cut in two along its middle: the right half lies to the left of the other.
+Mesh pictured() {
+  Mesh mesh = sheet(20, [](float x, float y) { return glm::vec3(x, y, 0.1f * x * y); });
+  for (const Triangle& t : mesh.triangles) {
+    Corners corners;
+    const bool isRight = mesh.positions[t[0]].x + mesh.positions[t[1]].x + mesh.positions[t[2]].x > 30;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec2 p(mesh.positions[t[i]]);
+      corners[i] = (isRight ? p - glm::vec2(10, 0) : p + glm::vec2(15, 0)) / 40.f;
+    }
+    mesh.cornerUvs.push_back(corners);
+  }
+  return mesh;
+}
+
+TEST(Atlas, OwnCoordinatesAreUsedAsTheyAre) {
+  const Mesh mesh = pictured();
+  AtlasOptions options;
+  options.texel = 0.2;
+  const std::optional<Atlas> atlas = atlasFromCoordinates(mesh, options);
+  ASSERT_TRUE(atlas);
+  expectWhole(mesh, *atlas);
+  EXPECT_EQ(atlas->charts, 2);
+  EXPECT_TRUE(atlas->skirts.empty());
+  double flat = 0;
+  for (const Corners& c : atlas->corners) flat += double(area2(c));
+  EXPECT_NEAR(flat * 0.04, surfaceArea(mesh), 0.3 * surfaceArea(mesh));
+  const AtlasCheck check = checkAtlas(mesh, *atlas);
+  EXPECT_TRUE(check.good());
+  EXPECT_NEAR(check.seamLength, 20 * std::sqrt(2.), 0.5);
+  EXPECT_EQ(splitAtSeams(mesh, *atlas).source.size(), 21u * 21 + 21);
+  options.maxSize = 64;
+  EXPECT_LE(atlasFromCoordinates(mesh, options)->size.x, 64);
+}
+
+TEST(Atlas, OwnCoordinatesThatAreNoneOrUsedTwiceAreNot) {
+  Mesh mesh = pictured();
+  for (Corners& corners : mesh.cornerUvs)
+    for (glm::vec2& uv : corners) uv.x = uv.x > 0.3f ? uv.x - 0.375f : uv.x;
+  EXPECT_FALSE(atlasFromCoordinates(mesh, {}));
+  for (Corners& corners : mesh.cornerUvs) corners = {};
+  EXPECT_FALSE(atlasFromCoordinates(mesh, {}));
+  mesh.cornerUvs[0][0].x = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(atlasFromCoordinates(mesh, {}));
+  mesh.cornerUvs.pop_back();
+  EXPECT_FALSE(atlasFromCoordinates(mesh, {}));
+  mesh.cornerUvs.clear();
+  EXPECT_FALSE(atlasFromCoordinates(mesh, {}));
 }
 
 }  // namespace

@@ -72,6 +72,17 @@ TEST(Components, SplitsByAreaAndKeepsAttributes) {
   EXPECT_TRUE(splitPieces(Mesh()).empty());
 }
 
+TEST(Components, PiecesKeepTheirTextureCoordinates) {
+  Mesh all = join({wall(1, 1), wall(2, 4)});
+  for (int t = 0; t < 4; ++t)
+    all.cornerUvs.push_back({glm::vec2(float(t)), glm::vec2(float(t)), glm::vec2(float(t))});
+  const std::vector<Mesh> pieces = splitPieces(all);
+  ASSERT_EQ(pieces[0].cornerUvs.size(), 2u);
+  EXPECT_EQ(pieces[0].cornerUvs[1][0].x, 3);
+  EXPECT_EQ(joinPieces(pieces).cornerUvs.size(), 4u);
+  EXPECT_TRUE(joinPieces({pieces[0], wall(1, 1)}).cornerUvs.empty());
+}
+
 TEST(Components, FindsThePieceNearestToAPoint) {
   const std::vector<Mesh> pieces =
       splitPieces(join({sphere({0, 0, 0}, 3), wall(50, 40), sphere({20, 0, 0}, 5)}));

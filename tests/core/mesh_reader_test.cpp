@@ -163,5 +163,30 @@ TEST(ReadMesh, HeadsOnThisMachine) {
   EXPECT_NEAR(boundingBox(packed.positions).max.z - boundingBox(packed.positions).min.z, 7946.8, 1);
 }
 
+TEST(ReadMesh, TextureCoordinatesBelongToCornersAndSurviveJoinedVertices) {
+  const TempFolder folder;
+  // Two triangles at an edge, with other coordinates on either side of it.
+  const Mesh obj = readMesh(folder.write("a.obj",
+                                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0.5 0.25\n"
+                                         "vt 0.6 0.5\nvt 1 1\nvt 0.6 1\nf 1/1 2/2 3/3\nf 1/4 3/5 4/6\n"));
+  EXPECT_EQ(obj.positions.size(), 4u);
+  ASSERT_EQ(obj.cornerUvs.size(), 2u);
+  EXPECT_EQ(obj.cornerUvs[0][2], glm::vec2(0.5f, 0.25f));
+  EXPECT_EQ(obj.cornerUvs[1][0], glm::vec2(0.6f, 0.5f));
+  const Mesh ply = readMesh(folder.write("b.ply",
+                                         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                         "property float y\nproperty float z\nproperty float texture_u\n"
+                                         "property float texture_v\nelement face 1\n"
+                                         "property list uchar int vertex_index\nend_header\n"
+                                         "0 0 0 0 0.5\n1 0 0 1 0.5\n1 1 0 1 1\n3 0 1 2\n"));
+  ASSERT_EQ(ply.cornerUvs.size(), 1u);
+  EXPECT_EQ(ply.cornerUvs[0][1], glm::vec2(1, 0.5f));
+  EXPECT_TRUE(readMesh(folder.write("c.ply", squarePly())).cornerUvs.empty());
+  const Mesh half = readMesh(folder.write("d.obj",
+                                          "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                          "o a\nf 1/1 2/2 3/3\no b\nf 3 2 1\n"));
+  EXPECT_TRUE(half.cornerUvs.empty()) << "Coordinates of some triangles are of no use.";
+}
+
 }  // namespace
 }  // namespace sonoskin

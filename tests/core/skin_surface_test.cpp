@@ -72,6 +72,26 @@ TEST(SkinSurface, IsPointBasedWhereNoAtlasIsGood) {
   EXPECT_TRUE(surface->atlas.skirts.empty());
 }
 
+TEST(SkinSurface, HasTheMeshsOwnCoordinatesWhereThatIsAskedForAndTheyAreGood) {
+  Mesh square;
+  square.positions = {{0, 0, 0}, {20, 0, 0}, {20, 0, 20}, {0, 0, 20}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  square.cornerUvs = {{{{0, 0}, {0, 1}, {1, 1}}},
+                      {{{0, 0}, {1, 1}, {1, 0}}}};  // turned over, unlike an atlas of ours
+  computeNormals(square);
+  SkinQuality quality = coarse();
+  const auto isOwn = [&] {
+    const auto surface = prepareSkin(std::make_shared<const Mesh>(square), {0, -1, 0}, quality);
+    expectFits(*surface);
+    return surface->atlas.corners[0][1].x == surface->atlas.corners[0][0].x;
+  };
+  EXPECT_FALSE(isOwn());
+  quality.ownCoordinates = true;
+  EXPECT_TRUE(isOwn());
+  square.cornerUvs[1] = {{{0, 0}, {0, 1}, {1, 1}}};  // both at one place
+  EXPECT_FALSE(isOwn());
+}
+
 TEST(SkinSurface, OfNothingIsAnErrorAndItCanBeCancelled) {
   EXPECT_THROW(prepareSkin(nullptr, {0, -1, 0}, {}), Error);
   EXPECT_THROW(prepareSkin(std::make_shared<const Mesh>(), {0, -1, 0}, {}), Error);
