@@ -29,7 +29,9 @@ vec3 throughPlate(int i, float thin, vec3 p, vec3 n) {
   bool inside = KIND == 2 && i == 0;
   // Near the terminator depth goes to zero and the blurs carry the light already.
   float fade = inside ? 1.0 : smoothstep(0.05, 0.6, facing) * clamp(d / 3.0, 0.0, 1.0);
-  vec3 share = textureLod(transmittance, vec2(clamp(d / reach, 0.0, 1.0), 0.5), 0.0).rgb;
+  float steps = float(textureSize(transmittance, 0).x);
+  float place = (clamp(d / reach, 0.0, 1.0) * (steps - 1.0) + 0.5) / steps;
+  vec3 share = textureLod(transmittance, vec2(place, 0.5), 0.0).rgb;
   return share * arriving(i, p) * max(facing, inside ? 0.2 : 0.0) * fade;
 }
 

@@ -1,0 +1,203 @@
+// Light on surfaces with an atlas of their own: a ball, plates.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/skin/beckmann.h"
+#include "core/skin/skin_material.h"
+#include "render/gl/read_pixels.h"
+#include "render/skin/skin_view.h"
+#include "tests/render/support/gl_test.h"
+#include "tests/render/support/skin_plane.h"
+#include "tests/support/meshes.h"
+#include "tests/support/skin_tables.h"
+
+namespace sonoskin {
+namespace {
+
+SkinOptions plainSkin() {
+  SkinOptions skin;
+  skin.colour = SkinColour::plain;
+  skin.mix = skin.gloss = skin.wetness = skin.detail = skin.vernix = skin.translucency = 0;
+  return skin;
+}
+
+SkinQuality texels(double length) {
+  SkinQuality quality;
+  quality.texel = length;
+  return quality;
+}
+
+std::vector<glm::vec4> read(const gl::Texture& map) {
+  const auto values = gl::readFloats(map, 4);
+  std::vector<glm::vec4> texels;
+  for (std::size_t i = 0; i < values.size(); i += 4)
+    texels.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
+  return texels;
+}
+
+// What leaves each texel.
+std::vector<glm::dvec3> leaving(const SkinView& view) {
+  const auto first = read(view.level(0)), rest = read(view.diffused());
+  std::vector<glm::dvec3> sum;
+  for (std::size_t t = 0; t < first.size(); ++t)
+    sum.push_back(literatureSkin().weights[0] * glm::dvec3(first[t]) + glm::dvec3(rest[t]));
+  return sum;
+}
+
+std::shared_ptr<const SkinSurface> ball(float radius, double texel) {
+  return prepareSkin(std::make_shared<const Mesh>(test::icosphere(6, radius, {3, 4, 5})), {0, 0, 1},
+                     texels(texel));
+}
+
+// Two plates, a box from z = low to z = high each.
+Mesh plates(std::initializer_list<glm::vec2> heights, float half) {
+  Mesh mesh;
+  for (const glm::vec2& h : heights) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (int corner = 0; corner < 8; ++corner)
+      mesh.positions.emplace_back(corner & 1 ? half : -half, corner & 2 ? half : -half,
+                                  corner & 4 ? h.y : h.x);
+    const std::uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& f : faces) {
+      mesh.triangles.push_back({first + f[0], first + f[1], first + f[2]});
+      mesh.triangles.push_back({first + f[0], first + f[2], first + f[3]});
+    }
+  }
+  // Sharp edges: every side has normals of its own.
+  Mesh sharp;
+  for (const Triangle& t : mesh.triangles) {
+    const auto first = std::uint32_t(sharp.positions.size());
+    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    for (const glm::vec3& p : {a, b, c}) {
+      sharp.positions.push_back(p);
+      sharp.normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
+    }
+    sharp.triangles.push_back({first, first + 1, first + 2});
+  }
+  return sharp;
+}
+
+class SkinLightTest : public GlTest {
+ protected:
+  SkinLightTest() { context().makeCurrent(); }
+  GpuSkin gpu_;
+  SkinView view_;
+};
+
+// Even light stays even to a thousandth, at the charts' borders too.                         [T9]
+TEST_F(SkinLightTest, WhiteFurnaceOnABall) {
+  const auto surface = ball(15, 0.3);
+  ASSERT_FALSE(surface->pointBased);
+  ASSERT_GT(surface->check.charts, 4);
+  gpu_.set(surface);
+  LightRig rig;
+  rig.lights.push_back({.colour = glm::vec3(0), .shadows = false});
+  rig.environment[0] = glm::vec3(1 / 0.282095f);
+  view_.relight(gpu_, {plainSkin(), {}, rig}, texels(0.3));
+  const auto light = leaving(view_);
+  double worst = 0, open = 1;
+  for (std::size_t t = 0; t < light.size(); ++t) {
+    if (!(surface->maps.position[t].w > 0.9f)) continue;
+    open = std::min(open, double(surface->maps.occlusion[t].w));
+    for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(light[t][c] - 1));
+  }
+  // A ball sees the whole sky: what the occlusion is off by is the irradiance's, not the spreading's.
+  EXPECT_LT(worst, 1e-3 + 1 - open);
+  EXPECT_GT(open, 0.98);
+}
+
+// What spreads is not lost: the same power leaves a closed surface as arrives.                [T10]
+TEST_F(SkinLightTest, KeepsThePower) {
+  const auto surface = ball(15, 0.3);
+  gpu_.set(surface);
+  std::vector<glm::vec4> irradiance;
+  for (std::size_t t = 0; t < surface->maps.position.size(); ++t) {
+    const bool covered = surface->maps.position[t].w > 0;
+    irradiance.emplace_back(glm::vec3(covered ? std::max(0.f, surface->maps.normal[t].x) : 0.f),
+                            covered ? 1.f : 0.f);
+  }
+  view_.spread(gpu_, plainSkin(), irradiance);
+  const auto light = leaving(view_);
+  glm::dvec3 out(0);
+  double in = 0;
+  for (std::size_t t = 0; t < light.size(); ++t) {
+    if (!(surface->maps.position[t].w > 0.9f)) continue;
+    const double area = double(surface->maps.stretch[t].x) * double(surface->maps.stretch[t].y);
+    out += area * light[t];
+    in += area * double(irradiance[t].r);
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(out[c] / in, 1, 0.005) << c;
+}
+
+// Light beyond the terminator of a ball of 20 mm: the table T6.
+TEST_F(SkinLightTest, TerminatorOfABall) {
+  const auto surface = ball(20, 0.15);
+  gpu_.set(surface);
+  LightRig rig;
+  const glm::vec3 from = glm::normalize(glm::vec3(0.8f, 0.3f, 0.5f));
+  rig.lights.push_back({.position = from, .colour = glm::vec3(1), .shadows = false});
+  view_.relight(gpu_, {plainSkin(), {}, rig}, texels(0.15));
+  const auto light = leaving(view_);
+  for (const test::SkinValue& row : test::kSphere20) {
+    glm::dvec3 sum(0);
+    double count = 0;
+    for (std::size_t t = 0; t < light.size(); ++t) {
+      const glm::vec4& p = surface->maps.position[t];
+      if (!(p.w > 0.9f)) continue;
+      const glm::vec3 out = glm::normalize(glm::vec3(p) - glm::vec3(3, 4, 5));
+      const double angle = glm::degrees(std::acos(glm::clamp(double(glm::dot(out, from)), -1.0, 1.0)));
+      if (std::abs(angle - row.at) > (row.at == 0 ? 2 : 0.25)) continue;
+      sum += light[t];
+      ++count;
+    }
+    ASSERT_GT(count, 20);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / count, row.light[c], 0.003) << row.at << " " << c;
+  }
+}
+
+class PlateTest : public SkinLightTest {
+ protected:
+  // The light that comes through toward +z in the middle of the plates' upper sides at height z.
+  glm::dvec3 through(const Mesh& mesh, float z) {
+    const auto surface = prepareSkin(std::make_shared<const Mesh>(mesh), {0, 0, 1}, texels(0.3));
+    gpu_.set(surface);
+    SkinOptions skin = plainSkin();
+    skin.translucency = 1;
+    LightRig rig;
+    rig.lights.push_back({.position = {0, 0, -1}, .colour = glm::vec3(1)});
+    view_.relight(gpu_, {skin, {}, rig}, texels(0.3));
+    const auto light = leaving(view_);
+    for (std::size_t t = 0; t < light.size(); ++t) {
+      const glm::vec4& p = surface->maps.position[t];
+      if (p.w > 0.9f && std::abs(p.x) < 0.3f && std::abs(p.y) < 0.3f && std::abs(p.z - z) < 0.01f &&
+          surface->maps.normal[t].z > 0.9f)
+        return light[t];
+    }
+    ADD_FAILURE() << "the plate's middle is not in the atlas";
+    return glm::dvec3(0);
+  }
+};
+
+// A plate that is lit from behind shows the transmittance of its thickness.          [skin specification, section 9.3]
+TEST_F(PlateTest, ShowsItsTransmittance) {
+  const SkinMaterial material = makeSkinMaterial(plainSkin());
+  for (const float thickness : {4.f, 6.f, 10.f}) {
+    const glm::dvec3 found = through(plates({{0, thickness}}, 15), thickness);
+    const auto step =
+        std::size_t(std::lround(double(thickness) / SkinMaterial::kReach * (SkinMaterial::kSteps - 1)));
+    const glm::dvec3 expected(material.transmittance[step]);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], expected[c], 0.05 * expected[c] + 0.004) << thickness << " " << c;
+  }
+}
+
+// Light does not come through two plates with air between them.
+TEST_F(PlateTest, NothingComesThroughAir) {
+  const glm::dvec3 apart = through(plates({{0, 2}, {8, 10}}, 15), 10);
+  EXPECT_LT(apart.r, 0.01);
+}
+
+}  // namespace
+}  // namespace sonoskin
