@@ -8,7 +8,8 @@
 namespace sonoskin::ui {
 
 // PlotArea: a rectangle of the window with two axes.
-//   left, right   of the horizontal axis; low, high: of the upright one; both positive where it is logarithmic
+//   left, right   of the horizontal axis; low, high: of the upright one; both positive where it is
+//                 logarithmic
 struct PlotArea {
   ImVec2 min{}, max{};
   double left = 0, right = 1, low = 0, high = 1;
@@ -20,8 +21,8 @@ struct PlotArea {
   double under(float x) const { return left + (right - left) * double((x - min.x) / (max.x - min.x)); }
 };
 
-// layOutPlot: takes a place of that height in the current window, with room for labels at the left and, if asked for,
-// below; noted under the name.
+// layOutPlot: takes a place of that height in the current window, with room for labels at the left and, if
+// asked for, below; noted under the name.
 PlotArea layOutPlot(const std::string& name, float height, bool labelsBelow);
 
 // drawAxes: background, lines and numbers; `below` is the text under the horizontal axis, empty for none.

@@ -11,8 +11,8 @@ struct ProfilePlot {
   bool logarithmic = true;
 };
 
-// drawProfilePlot: how far red, green and blue light go below the skin: target and fit over 0 to 10 mm, the error of the
-// fit below, the radii that hold half and nine tenths of the light, and the Gaussians.
+// drawProfilePlot: how far red, green and blue light go below the skin: target and fit over 0 to 10 mm, the
+// error of the fit below, the radii that hold half and nine tenths of the light, and the Gaussians.
 void drawProfilePlot(ProfilePlot& plot, const SkinOptions& options);
 
 }  // namespace sonoskin::ui

@@ -32,8 +32,8 @@ struct Quadrature {
   }
 };
 
-// One ring of facets, tilted so that tan = t: the mean of F n.l / (v.h n.h) around it, for directions l above the
-// surface. v.h and n.l are linear in the azimuth's cosine; n.l > 0 cuts off the far part of the ring.
+// One ring of facets, tilted so that tan = t: the mean of F n.l / (v.h n.h) around it, for directions l above
+// the surface. v.h and n.l are linear in the azimuth's cosine; n.l > 0 cuts off the far part of the ring.
 double ringMean(double cosine, double t, double f0) {
   static const Quadrature<20> rule;
   const double ch = 1 / std::sqrt(1 + t * t), sh = t * ch;

@@ -13,20 +13,21 @@ struct Pigments {
 };
 
 // bloodAbsorption: of whole blood with 170 g of haemoglobin per litre, 1/mm, per wavelength.
-//   data   molar extinction of haemoglobin compiled by S. Prahl (Gratzer; Kollias), every 10 nm from 400 to 700. All 31
-//          lines were compared with a public copy of the compilation (github.com/droumis/spectra, data_hb.csv): equal.
-//          From 630 nm up another set (Moaveni 1970, also on omlc.org) is 11 % higher for HbO2 and 17 % lower for Hb at
-//          630; the published compilation is kept
+//   data   molar extinction of haemoglobin compiled by S. Prahl (Gratzer; Kollias), every 10 nm from 400 to
+//          700. All 31 lines were compared with a public copy of the compilation (github.com/droumis/spectra,
+//          data_hb.csv): equal. From 630 nm up another set (Moaveni 1970, also on omlc.org) is 11 % higher
+//          for HbO2 and 17 % lower for Hb at 630; the published compilation is kept
 Spectrum bloodAbsorption(double oxygen);
 
 // epidermisAbsorption: of melanin (70 % eumelanin, 30 % pheomelanin) in bloodless skin, 1/mm.
-//                                                                              [Jacques 1998; Donner, Jensen 2006]
+//                                                                         [Jacques 1998; Donner, Jensen 2006]
 Spectrum epidermisAbsorption(double melanin);
 
 // epidermisTransmittance: share of diffuse light that passes the epidermis once: 2 E_3(sigma_a t).
 Spectrum epidermisTransmittance(double melanin, double thickness);
 
-// dermis: the medium below at that step of wavelength: blood in bloodless skin, index 1.4.        [Donner, Jensen 2006]
+// dermis: the medium below at that step of wavelength: blood in bloodless skin, index 1.4.
+//                                                                                       [Donner, Jensen 2006]
 ScatteringMedium dermis(double blood, double oxygen, int step);
 
 // dermisReflectance: the dipole's total per wavelength.

@@ -21,8 +21,8 @@ double sourceWithin(double z, double decay, double r) {
   return std::exp(-decay * z) - z * std::exp(-decay * d) / d;
 }
 
-// lineBeside: the integral of R_d along a straight line at distance x. With y = c sinh(t) the integrand falls off
-// doubly exponentially, so that equal steps in t converge faster than any power.
+// lineBeside: the integral of R_d along a straight line at distance x. With y = c sinh(t) the integrand falls
+// off doubly exponentially, so that equal steps in t converge faster than any power.
 double lineBeside(const Dipole& dipole, double x) {
   constexpr int kSteps = 60;
   constexpr double kReach = 9;

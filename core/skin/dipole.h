@@ -15,10 +15,10 @@ struct ScatteringMedium {
 // MediumRgb: red, green, blue.
 using MediumRgb = std::array<ScatteringMedium, 3>;
 
-// jensenSkin: "skin1" of the published measurements, index 1.3.              [Jensen, Marschner, Levoy, Hanrahan 2001]
+// jensenSkin: "skin1" of the published measurements, index 1.3.     [Jensen, Marschner, Levoy, Hanrahan 2001]
 MediumRgb jensenSkin();
 
-// Dipole: a real source below the surface and a virtual one above it.                                [Jensen et al. 2001]
+// Dipole: a real source below the surface and a virtual one above it.                    [Jensen et al. 2001]
 //   albedo       alpha' = sigma_s' / (sigma_a + sigma_s')
 //   decay        sigma_tr, 1/mm
 //   real         z_r, depth of the real source, mm; virtualSource: z_v, height of the virtual one

@@ -21,7 +21,8 @@ double scaledErfc(double x) {
   return 1 / (std::sqrt(kPi) * (x + fraction));
 }
 
-// int_decay^inf q exp(-z q - v (q^2 - decay^2) / 2) dq: a source at z in the Hankel domain against a Gaussian.
+// int_decay^inf q exp(-z q - v (q^2 - decay^2) / 2) dq: a source at z in the Hankel domain against a
+// Gaussian.
 double sourceOnGaussian(double z, double decay, double v) {
   const double t = (v * decay + z) / std::sqrt(2 * v);
   return std::exp(-z * decay) / v * (1 - z * std::sqrt(kPi / (2 * v)) * scaledErfc(t));

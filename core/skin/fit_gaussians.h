@@ -26,10 +26,10 @@ DipoleRgb makeDipoles(const MediumRgb& medium);
 // fitWeights: the best weights for given variances, 1 to 8 of them.
 GaussianFit fitWeights(const DipoleRgb& dipoles, std::span<const double> variances);
 
-// fitGaussians: the best `count` variances, 1 to 6, and their weights.                 [d'Eon, Luebke 2007; ours: every
-// integral of the fit has a closed form, so that no grid of distances limits or spoils it]
-//   method   Nelder-Mead on the logarithms of the variances a short one from each of six starts, then a long one from
-//            the best
+// fitGaussians: the best `count` variances, 1 to 6, and their weights.                    [d'Eon, Luebke 2007]
+// Ours: every integral of the fit has a closed form, so that no grid of distances limits or spoils it.
+//   method   Nelder-Mead on the logarithms of the variances, a short one from each of six starts, then a long
+//            one from the best
 //   cost     1 to 10 ms
 GaussianFit fitGaussians(const DipoleRgb& dipoles, int count);
 

@@ -34,8 +34,8 @@ Place middleOfBest(const std::vector<Minimum>& simplex) {
   return middle;
 }
 
-// One step: the worst corner, the last, is mirrored, stretched or pulled in, or all are drawn to the best. Gives the
-// number of evaluations.
+// One step: the worst corner, the last, is mirrored, stretched or pulled in, or all are drawn to the best.
+// Gives the number of evaluations.
 int improve(const Function& function, std::vector<Minimum>& simplex) {
   Minimum& worst = simplex.back();
   const Place middle = middleOfBest(simplex);

@@ -19,7 +19,7 @@ struct Minimum {
   double value = 0;
 };
 
-// findMinimum: a local minimum near the start, without derivatives.                               [Nelder, Mead 1965]
+// findMinimum: a local minimum near the start, without derivatives.                       [Nelder, Mead 1965]
 Minimum findMinimum(const std::function<double(const std::vector<double>&)>& function,
                     const std::vector<double>& start, const NelderMeadOptions& options = {});
 

@@ -10,8 +10,9 @@ constexpr int kWavelengths = 31;
 constexpr double wavelength(int i) { return 400.0 + 10 * i; }
 using Spectrum = std::array<double, kWavelengths>;
 
-// spectralWeights: linear Rec. 709 of reflectance 1 in one step of wavelength and 0 elsewhere; over all steps they sum to
-// (1, 1, 1): a white of equal energy is white.                     [CIE 1931 by the fits of Wyman, Sloan, Shirley 2013]
+// spectralWeights: linear Rec. 709 of reflectance 1 in one step of wavelength and 0 elsewhere; over all steps
+// they sum to (1, 1, 1): a white of equal energy is white.
+//                                                        [CIE 1931 by the fits of Wyman, Sloan, Shirley 2013]
 const std::array<glm::dvec3, kWavelengths>& spectralWeights();
 
 // linearColour: linear Rec. 709 of a reflectance; may lie outside the gamut.

@@ -111,8 +111,6 @@ TEST(Dipole, HalfPlane) {
                    [&](const Dipole& d) { return reflectanceOfHalfPlane(d, row.x); });
 }
 
-// Stripes are what the Hankel transform describes: an edge is a sum of stripes, so that the transform must give back the
-// line integral of the profile.
 TEST(Dipole, SpectrumIsTheTransformOfTheProfile) {
   const Dipole d = makeDipole(jensenSkin()[1]);
   for (double s : {0.3, 1.0, 3.0}) {

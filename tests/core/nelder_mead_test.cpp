@@ -19,6 +19,12 @@ TEST(NelderMead, FindsTheEndOfABentValley) {
   EXPECT_NEAR(found.value, 0, 1e-8);
 }
 
+TEST(NelderMead, StridesGrowWhileItGoesDownhill) {
+  const auto far = [](const std::vector<double>& p) { return square(p[0] - 5000) + square(p[1] - 3000); };
+  const Minimum found = findMinimum(far, {0, 0}, {0.3, 1e-10, 300});
+  EXPECT_NEAR(found.place[0], 5000, 1);
+}
+
 TEST(NelderMead, AsksNoMoreOftenThanAllowed) {
   int asked = 0;
   const auto bowl = [&](const std::vector<double>& p) {

@@ -8,8 +8,8 @@
 #include "core/skin/gaussian_sum.h"
 #include "tests/support/skin_tables.h"
 
-// A ball under far light is the one curved surface where the spread has a closed form: a series of Legendre polynomials.
-// The tables that the surface integrals are held against come from here.
+// A ball under far light is the one curved surface where the spread has a closed form: a series of Legendre
+// polynomials. The tables that the surface integrals are held against come from here.
 namespace sonoskin {
 namespace {
 
@@ -27,8 +27,8 @@ std::vector<double> clampedCosine() {
   return a;
 }
 
-// What a Gaussian of the chord's length leaves of each term: (1 - exp(-2k)) I_{l+1/2}(k) / I_{1/2}(k), k = a^2 / v; the
-// ratios of neighbours by their recurrence from the far end, which is the stable way.
+// What a Gaussian of the chord's length leaves of each term: (1 - exp(-2k)) I_{l+1/2}(k) / I_{1/2}(k), with
+// k = a^2 / v; the ratios of neighbours by their recurrence from the far end, which is the stable way.
 std::vector<double> chordFactors(double radius, double v) {
   const double k = radius * radius / v;
   const size_t end = kTerms + 200 + size_t(8 * std::sqrt(k));
