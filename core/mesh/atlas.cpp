@@ -101,13 +101,14 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
   Charts charts = connectedCharts(facets, labels, axisOfLabel, progress.part(0.5, 0.6));
   mergeSmallCharts(facets, axes, smallest, tiny, charts);
   splitFolds(facets, normals, axes, tiny, charts, progress.part(0.6, 0.9));
-  // Rather a little overlap than too many charts to be good.
+  // Rather a little overlap than many charts.
   constexpr std::size_t kEnough = 56;
-  double allowed = 0.02;
-  joinCharts(facets, normals, axes, smallest, allowed, charts);
+  JoinLimits limits{smallest, 0.02, area / 4000};
+  joinCharts(facets, normals, axes, limits, charts);
   for (int round = 0; round < 6 && charts.size() > kEnough; ++round) {
-    allowed = std::min(0.2, 2 * allowed);
-    joinCharts(facets, normals, axes, smallest * (1 << round), allowed, charts);
+    limits.share = std::min(0.2, 2 * limits.share);
+    joinCharts(facets, normals, axes, limits, charts);
+    limits.smallest *= 2;
   }
   return charts;
 }

@@ -96,8 +96,7 @@ std::vector<std::uint32_t> neighboursOf(const Region& region) {
 }  // namespace
 
 void joinCharts(const Facets& facets, const std::vector<glm::vec3>& normals,
-                const std::array<ChartAxis, kChartAxes>& axes, double smallest, double allowed,
-                Charts& charts) {
+                const std::array<ChartAxis, kChartAxes>& axes, JoinLimits limits, Charts& charts) {
   ChartRegions regions(facets, charts);
   std::vector<std::vector<std::uint32_t>> triangles(charts.size());
   for (std::uint32_t t = 0; t < facets.size(); ++t) triangles[charts.ofTriangle[t]].push_back(t);
@@ -105,14 +104,17 @@ void joinCharts(const Facets& facets, const std::vector<glm::vec3>& normals,
   std::vector<std::pair<double, std::uint32_t>> small;
   for (std::uint32_t c = 0; c < charts.size(); ++c) {
     cells.add(c, charts.axis[c], triangles[c]);
-    if (regions[c].area < smallest) small.emplace_back(regions[c].area, c);
+    if (regions[c].area < limits.smallest) small.emplace_back(regions[c].area, c);
   }
   std::sort(small.begin(), small.end());
   for (const auto& [area, c] : small)
     for (const std::uint32_t into : neighboursOf(regions[c])) {
       const std::uint32_t axis = charts.axis[into];
-      if (turnedAway(facets, normals, triangles[c], axes[axis].toward) > std::min(allowed, kTurned)) continue;
-      if (cells.conflict(into, axis, triangles[c]) > allowed) continue;
+      if (turnedAway(facets, normals, triangles[c], axes[axis].toward) > std::min(limits.share, kTurned))
+        continue;
+      const double conflict = cells.conflict(into, axis, triangles[c]);
+      if (conflict > limits.share || conflict * area > limits.hidden) continue;
+      limits.hidden -= conflict * area;
       cells.add(into, axis, triangles[c]);
       triangles[into].insert(triangles[into].end(), triangles[c].begin(), triangles[c].end());
       triangles[c].clear();
