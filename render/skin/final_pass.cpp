@@ -158,7 +158,7 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
   p.set("pixelLength", input.camera.millimetresPerPixel(size.y) / input.camera.distance);
   p.set("mixBefore", float(input.look.skin.mix));
   p.set("exposure", input.look.lights.exposure);
-  p.set("firstWeight", glm::vec3(light.skin().diffusion.weights[0]));
+  p.set("firstWeight", light.firstWeight());
   light.lightMaps().setLights(p, input.look.lights);
   setBackground(p, input.camera);
   setScreen(p, input.camera, float(size.x) / float(size.y), projection);

@@ -2,10 +2,11 @@
 
 #include <array>
 
-#include "core/base/hash.h"
 #include "core/skin/block_diffusion.h"
 #include "core/skin/skin_material.h"
 #include "render/gl/gpu_timer.h"
+#include "render/skin/blur_levels.h"
+#include "render/skin/light_keys.h"
 #include "render/skin/light_maps.h"
 #include "render/skin/pass_programs.h"
 #include "render/skin/skin_view.h"
@@ -35,10 +36,10 @@ class LightPasses {
   // shows: whether the finished maps are those of a look.
   bool shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const;
 
-  static constexpr int kLevels = GaussianSum::kCount;
+  static constexpr int kLevels = BlurLevels::kLevels;
   // level: 0 the irradiance, i the first i+1 Gaussians' blur; premultiplied by coverage in a;
   // wide blurs have coarser maps.
-  const gl::Texture& level(int level) const;
+  const gl::Texture& level(int level) const { return levels_.level(level); }
   const gl::Texture& albedo() const { return material_.colour(0); }
   const gl::Texture& finish() const { return material_.colour(1); }
   const gl::Texture& visibility() const { return irradiance_.colour(1); }
@@ -47,7 +48,8 @@ class LightPasses {
   // drawThrough: makes `through`: light through thin parts alone.
   void drawThrough(const GpuSkin& surface);
   const gl::Texture& through() const { return through_.colour(); }
-  const SkinMaterial& skin() const { return skin_; }
+  // firstWeight: of the first Gaussian where the final pass adds it.
+  glm::vec3 firstWeight() const { return firstWeight_; }
   LightMaps& lightMaps() { return lightMaps_; }
   // spread, setDiffused: see SkinView.
   void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
@@ -60,21 +62,11 @@ class LightPasses {
 
  private:
   enum Pass { kMaterial, kLightMaps, kIrradiance, kBlur, kThin, kCombine, kDone };
-  struct Keys {
-    Key material, lightMaps, irradiance, blur;
-    friend bool operator==(const Keys&, const Keys&) = default;
-  };
-  static Keys keysOf(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
   void run(const GpuSkin& surface);
   void fit(const GpuSkin& surface);
-  glm::ivec2 coarse(int shift) const { return (size_ + (1 << shift) - 1) >> shift; }
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
   void drawIrradiance(const GpuSkin& surface);
-  void blurLevel(const GpuSkin& surface, int level);
-  struct Spread;
-  void blur(const GpuSkin& surface, const gl::Texture& from, const Spread& spread, gl::Framebuffer& spare,
-            gl::Framebuffer& to);
   void spreadPoints(const GpuSkin& surface);
   void blurThin(const GpuSkin& surface);
   void combine(const GpuSkin& surface, int part, const gl::Framebuffer& to);
@@ -86,19 +78,17 @@ class LightPasses {
   SkinMaterial skin_;
   SkinTables tables_;
   gl::Texture specularTable_;
-  Keys wanted_, done_;
-  int next_ = kDone, nextLevel_ = 1;
+  LightKeys wanted_, done_;
+  int next_ = kDone, nextLevel_ = 0;
   std::array<gl::GpuTimer, kDone + kLevels> timers_;  // by pass; blurs by level behind them
   bool reference_ = false;
+  glm::vec3 firstWeight_{0};
   glm::ivec2 size_{0};
   std::uint64_t surface_ = 0;  // number of the surface that the maps are of
   gl::Framebuffer material_, irradiance_, diffused_, through_;
-  std::array<gl::Framebuffer, kLevels - 1> levels_;
-  std::array<gl::Framebuffer, 3> thin_, spares_;  // spares by coarseness
-  std::array<double, kLevels> stored_{};          // variance of what each level's map holds, mm^2
-  std::array<int, kLevels> shift_{};              // its texels are 2^shift as long
-  std::array<int, kLevels> shownLevel_{};         // equal variances share a map
-  BlockDiffusion points_;                         // for atlases that cannot be blurred
+  BlurLevels levels_;
+  std::array<gl::Framebuffer, 3> thin_;
+  BlockDiffusion points_;  // for atlases that cannot be blurred
 };
 
 }  // namespace sonoskin

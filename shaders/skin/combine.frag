@@ -1,5 +1,5 @@
-// The light that has spread: the weighted sum of the blurs, and what comes through thin parts. The narrowest Gaussian is
-// left to the final pass, which has it at the picture's own resolution.
+// The light that has spread: the weighted sum of the blurs, and what comes through thin parts. A first Gaussian that
+// is narrower than texels has weight 0: the final pass adds it at the picture's own resolution.
 // Variants: KIND, see lights.glsl; SLAB or GAUSSIANS; PART: 0 all, 1 what comes through alone.
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"
@@ -66,7 +66,7 @@ void main() {
   vec2 uv = gl_FragCoord.xy / vec2(textureSize(positionMap, 0));
   vec3 p = placed.xyz, n = normalize(texelFetch(normalMap, texel, 0).xyz), sum = vec3(0.0), through = vec3(0.0);
 #if PART == 0
-  sum = weights[1] * at(levels[1], uv) + weights[2] * at(levels[2], uv) + weights[3] * at(levels[3], uv) +
+  sum = weights[0] * at(levels[0], uv) + weights[1] * at(levels[1], uv) + weights[2] * at(levels[2], uv) + weights[3] * at(levels[3], uv) +
         weights[4] * at(levels[4], uv) + weights[5] * at(levels[5], uv);
 #endif
 #if defined(SLAB)

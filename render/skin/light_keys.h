@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/base/hash.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin {
+
+// LightKeys: fingerprints of what each of the light passes depends on, in their order; each holds those before it.
+struct LightKeys {
+  Key material, lightMaps, irradiance, blur;
+  friend bool operator==(const LightKeys&, const LightKeys&) = default;
+};
+
+// lightKeys: of a look on the surface of that number (GpuSkin::Parts). The camera is no part of it, nor is what only the
+// final pass reads.
+LightKeys lightKeys(std::uint64_t surface, const SkinLook& look, const SkinQuality& quality);
+
+}  // namespace sonoskin
