@@ -9,7 +9,7 @@
 namespace sonoskin {
 
 // AtlasMaps: the surface as pictures over an atlas; row 0 is the lowest, x fastest.
-//   position   xyz: world mm; w: 1 owned, 0.5 skirt, 0 nothing there
+//   position   xyz: world mm; w: 1 owned, 0.5 skirt or a texel of rim, 0 nothing there
 //   normal     xyz: unit; w: mean curvature in 1/mm, positive where the surface is convex
 //   occlusion  xyz: unit, the mean direction of open sky; w: 0 (closed in) to 1 (open)
 //   stretch    mm per texel along u and v, from positions smoothed over 0.5 mm; never 0   [skin specification, section 5]
@@ -30,7 +30,8 @@ struct SurfaceTraits {
 SurfaceTraits measureTraits(const Mesh& mesh, int directions = 128, double radius = 2,
                             const Progress& progress = {});
 
-// bakeAtlas: fills the maps. Skirts first, owners over them.
+// bakeAtlas: fills the maps. Skirts first, owners over them; where owners lie over each other, the one under the more
+// open sky. Beyond a chart that ends its last triangles go on for one texel, for those who look between texels.
 //   input   mesh with normals
 //   cost    2 million texels: 0.3 s on two cores
 AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& atlas,

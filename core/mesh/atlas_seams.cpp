@@ -1,4 +1,4 @@
-// The mesh as it is drawn with an atlas, and the atlas of blocks.
+// The mesh as it is drawn with an atlas.
 #include <algorithm>
 #include <cmath>
 

@@ -131,6 +131,19 @@ TEST(Atlas, StairsThatWindAboveThemselvesAreSplit) {
   EXPECT_LT(check.uncovered, 0.01);
 }
 
+TEST(Atlas, SmallChartsDoNotJoinWhatTheyWouldLieOver) {
+  // A strip whose end is turned back and lies 8 mm behind it: small, and only the strip and the turn are beside it.
+  const Mesh hem = sheet(55, [](float x, float y) {
+    const float turn = std::clamp((x - 36) / 12, 0.f, 1.f) * std::numbers::pi_v<float>;
+    const float back = std::max(x - 48, 0.f);
+    return glm::vec3(std::min(x, 36.f) + 4 * std::sin(turn) - back, 0.15f * y, 4 * std::cos(turn) - 4);
+  });
+  const AtlasCheck check = checkAtlas(hem, buildAtlas(hem, {}));
+  EXPECT_LE(check.charts, 6);
+  EXPECT_LT(check.overlap, 0.005);
+  EXPECT_LT(check.uncovered, 0.005);
+}
+
 TEST(Atlas, NoiseDoesNotScatterCharts) {
   Mesh ball = test::icosphere(6, 30, {0, 0, 0});
   std::uint32_t state = 1;
