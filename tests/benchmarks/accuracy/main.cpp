@@ -11,6 +11,7 @@
 #include "tests/benchmarks/accuracy/reconstruction.h"
 #include "tests/benchmarks/accuracy/report.h"
 #include "tests/benchmarks/accuracy/settings.h"
+#include "tests/benchmarks/accuracy/skin.h"
 
 namespace sonoskin::accuracy {
 namespace {
@@ -20,7 +21,7 @@ struct Request {
   std::vector<std::string> levels, methods, sets;
   std::string sweep;
   int seed = 1, threads = 0;
-  bool lines = false, reconstruction = false;
+  bool lines = false, reconstruction = false, skin = false;
 };
 
 std::vector<Method> allMethods() {
@@ -42,6 +43,7 @@ Request parse(int argc, char** argv) {
   app.add_option("--seed", request.seed, "of the speckle");
   app.add_option("--threads", request.threads, "0: all of the machine");
   app.add_flag("--reconstruction", request.reconstruction, "meshes instead of points: RMS, normals and more");
+  app.add_flag("--skin", request.skin, "the light of skin against the integral over the surface");
   app.add_flag("--lines", request.lines, "key=value lines instead of tables");
   try {
     app.parse(argc, argv);
@@ -112,6 +114,7 @@ void runAll(const Request& request) {
   parameters.phantom.dims = {request.dims[0], request.dims[1], request.dims[2]};
   parameters.phantom.seed = request.seed;
   if (request.reconstruction) return printReconstructionTables(parameters);
+  if (request.skin) return printSkinTables(parameters);
   const Truth truth(parameters.phantom);
   const ContrastMeter meter(parameters.phantom);
   std::vector<Row> all;

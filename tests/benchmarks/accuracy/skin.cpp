@@ -1,0 +1,240 @@
+#include "tests/benchmarks/accuracy/skin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/skin/atlas_reading.h"
+#include "core/skin/block_diffusion.h"
+#include "core/skin/brute_force.h"
+#include "render/gl/context.h"
+#include "render/gl/read_pixels.h"
+#include "render/skin/skin_view.h"
+#include "tests/benchmarks/accuracy/skin_heads.h"
+#include "tests/benchmarks/accuracy/skin_places.h"
+
+namespace sonoskin::accuracy {
+namespace {
+
+constexpr std::size_t kPlaces = 6000;
+constexpr float kNearSeam = 3;  // mm
+
+struct NamedLighting {
+  std::string name;
+  SkinLighting lighting;
+};
+
+// The light that meets a surface at its cosine, plain and through a checker of squares of 2 mm.
+std::vector<NamedLighting> lightings(const HomeFrame& home) {
+  const glm::vec3 l = glm::normalize(0.8f * home.right + 0.3f * home.up + 0.5f * home.back);
+  const SkinLighting cosine = [l](const glm::vec3&, const glm::vec3& n) {
+    return std::max(0.f, glm::dot(n, l));
+  };
+  const SkinLighting checker = [cosine, home](const glm::vec3& p, const glm::vec3& n) {
+    constexpr float kTurn = 2 * std::numbers::pi_v<float> / 4;
+    const bool lit = std::sin(kTurn * glm::dot(p, home.right)) * std::sin(kTurn * glm::dot(p, home.up)) > 0;
+    return cosine(p, n) * (lit ? 1.f : 0.1f);
+  };
+  return {{"cosine", cosine}, {"4 mm checker", checker}};
+}
+
+// What is right at some places of a head in one light.
+struct SkinTruth {
+  std::vector<DiffusionTarget> targets;
+  std::vector<glm::vec3> local, full;
+};
+
+std::vector<glm::vec3> irradianceOf(const SurfaceSamples& samples, const SkinLighting& lighting) {
+  std::vector<glm::vec3> irradiance;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    irradiance.emplace_back(lighting(samples.positions[i], samples.normals[i]));
+  return irradiance;
+}
+
+SkinTruth truthOf(const SurfaceSamples& samples, const SkinPlaces& places, const SkinLighting& lighting) {
+  SkinTruth truth;
+  truth.targets = targetsOf(places, lighting);
+  const std::vector<glm::vec3> irradiance = irradianceOf(samples, lighting);
+  const GaussianSum skin = literatureSkin();
+  for (const Reach reach : {Reach::local, Reach::full})
+    for (const DiffusedLevels& levels : bruteForceDiffusion(samples, irradiance, skin, truth.targets, reach))
+      (reach == Reach::local ? truth.local : truth.full).push_back(sumOfLevels(skin, levels));
+  return truth;
+}
+
+// From point to point without an atlas, at the same places.
+std::vector<glm::vec3> byPoints(const Mesh& mesh, const SkinPlaces& places, const SkinTruth& truth,
+                                const SkinLighting& lighting) {
+  const SurfaceSamples samples = sampleSurface(mesh, PointDiffusion::kBaseSpacing);
+  const GaussianSum skin = literatureSkin();
+  const PointDiffusion diffusion({samples.positions, samples.normals, samples.areas}, skin);
+  std::vector<glm::vec4> irradiance;
+  for (const glm::vec3& e : irradianceOf(samples, lighting)) irradiance.emplace_back(e, 1.f);
+  const PointDiffusion::Levels levels = diffusion.diffuse(irradiance);
+  std::vector<DiffusedLevels> found;
+  for (const DiffusionTarget& t : truth.targets) found.push_back({t.irradiance});
+  for (int i = 1; i <= PointDiffusion::kLevels; ++i) {
+    const SparseRows rows = diffusion.rowsTo(i, places.positions, places.normals);
+    const std::vector<glm::vec4> light = multiply(rows, levels[std::size_t(i - 1)]);
+    for (std::size_t p = 0; p < light.size(); ++p) found[p][std::size_t(i)] = glm::vec3(light[p]);
+  }
+  std::vector<glm::vec3> sums;
+  for (const DiffusedLevels& l : found) sums.push_back(sumOfLevels(skin, l));
+  return sums;
+}
+
+// A prepared head and its light in the atlas after each blur.
+class LitAtlas {
+ public:
+  LitAtlas(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting)
+      : surface_(std::move(surface)) {
+    const std::vector<glm::vec4> irradiance = irradianceMap(lighting);
+    if (surface_->pointBased) {
+      BlockDiffusion kept;
+      levels_ = diffuseInBlocks(surface_, literatureSkin(), irradiance, kept);
+      return;
+    }
+    GpuSkin gpu;
+    gpu.set(surface_);
+    SkinView view;
+    SkinOptions plain;
+    plain.colour = SkinColour::plain;
+    plain.mix = plain.gloss = plain.translucency = 0;
+    view.spread(gpu, plain, irradiance);
+    for (int i = 1; i <= PointDiffusion::kLevels; ++i) levels_[std::size_t(i - 1)] = readMap(view.level(i));
+  }
+
+  // The sum of all six terms at a place where `irradiance` falls.
+  glm::vec3 at(const SkinPlace& place, const glm::vec3& irradiance) const {
+    const glm::vec2 texel = placeInAtlas(surface_->atlas.corners[place.triangle], place.weights);
+    DiffusedLevels found{irradiance};
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      found[i + 1] = readAtlas(levels_[i], surface_->maps.size, texel);
+    return sumOfLevels(literatureSkin(), found);
+  }
+
+ private:
+  std::vector<glm::vec4> irradianceMap(const SkinLighting& lighting) const {
+    std::vector<glm::vec4> map;
+    for (std::size_t t = 0; t < surface_->maps.position.size(); ++t) {
+      const glm::vec4& p = surface_->maps.position[t];
+      map.push_back(p.w > 0
+                        ? glm::vec4(glm::vec3(lighting(glm::vec3(p), glm::vec3(surface_->maps.normal[t]))), 1)
+                        : glm::vec4(0));
+    }
+    return map;
+  }
+  static std::vector<glm::vec4> readMap(const gl::Texture& texture) {
+    const std::vector<float> values = gl::readFloats(texture, 4);
+    std::vector<glm::vec4> map;
+    for (std::size_t i = 0; i < values.size(); i += 4)
+      map.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
+    return map;
+  }
+
+  std::shared_ptr<const SkinSurface> surface_;
+  PointDiffusion::Levels levels_;
+};
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
+}
+
+std::string row(const std::string& name, const std::vector<glm::vec3>& found,
+                const std::vector<glm::vec3>& truth, const std::vector<bool>& nearSeam,
+                const std::string& jump) {
+  glm::dvec3 squares(0);
+  glm::dvec2 red(0), count(0);  // elsewhere, near a seam
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const glm::dvec3 d(found[i] - truth[i]);
+    squares += d * d;
+    errors.push_back(std::abs(d.x));
+    const int side = !nearSeam.empty() && nearSeam[i] ? 1 : 0;
+    red[side] += d.x * d.x, count[side] += 1;
+  }
+  const glm::dvec3 rms = glm::sqrt(squares / double(found.size()));
+  const auto part = [&](int side) { return count[side] > 0 ? std::sqrt(red[side] / count[side]) : 0; };
+  const std::string near = nearSeam.empty() ? "| |"
+                                            : fmt::format("{:.4f} ({:.0f} %) | {:.4f} |", part(1),
+                                                          100 * count[1] / double(found.size()), part(0));
+  return fmt::format("| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.3f} | {} {} |\n", name, rms.x,
+                     rms.y, rms.z, quantile(errors, 0.95), quantile(errors, 0.99), quantile(errors, 1), near,
+                     jump);
+}
+
+// The largest difference of a colour between both sides of the seams: 95th and 99th percentile.
+std::string jumps(const LitAtlas& atlas, const Seams& seams) {
+  std::vector<double> differences;
+  for (const auto& [a, b] : seams.sides) {
+    const glm::vec3 d = glm::abs(atlas.at(a, glm::vec3(0)) - atlas.at(b, glm::vec3(0)));
+    differences.push_back(double(std::max({d.x, d.y, d.z})));
+  }
+  if (differences.empty()) return "none";
+  return fmt::format("{:.4f}, {:.4f}", quantile(differences, 0.95), quantile(differences, 0.99));
+}
+
+void printHead(const SkinHead& head) {
+  const double area = surfaceArea(*head.mesh);
+  std::printf("### %s: %zu triangles, %.0f mm²\n\n", head.name.c_str(), head.mesh->triangles.size(), area);
+  const SkinPlaces places = spreadPlaces(*head.mesh, kPlaces);
+  const SurfaceSamples samples = sampleSurface(*head.mesh, area > 50000 ? 0.15 : 0.11);
+  std::vector<std::shared_ptr<const SkinSurface>> surfaces;
+  for (const double texel : {0.15, 0.30}) {
+    SkinQuality quality = fullQuality();
+    quality.texel = texel;
+    surfaces.push_back(prepareSkin(head.mesh, head.home.back, quality));
+    const SkinSurface& s = *surfaces.back();
+    std::printf(
+        "%.2f mm: %s, %dx%d texels of %.3f mm, %d charts, seams %.2f m, overlap %.2f %%, uncovered %.2f %%, "
+        "stretch %.2f (99 %%)\n\n",
+        texel, s.pointBased ? "in blocks" : "atlas", s.atlas.size.x, s.atlas.size.y, double(s.atlas.texel),
+        s.check.charts, 1e-3 * s.check.seamLength, 100 * s.check.overlap, 100 * s.check.uncovered,
+        s.check.stretch99);
+  }
+  std::printf(
+      "| | RMS R | G | B | p95 R | p99 R | max R | near seam R | else R | jump p95, p99 |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const NamedLighting& light : lightings(head.home)) {
+    const SkinTruth truth = truthOf(samples, places, light.lighting);
+    for (const auto& surface : surfaces) {
+      const LitAtlas atlas(surface, light.lighting);
+      std::vector<glm::vec3> found;
+      for (std::size_t i = 0; i < kPlaces; ++i)
+        found.push_back(atlas.at(places.places[i], truth.targets[i].irradiance));
+      const Seams seams = surface->pointBased ? Seams() : findSeams(*surface->mesh, surface->atlas);
+      std::printf("%s", row(fmt::format("{}, {:.2f} mm", light.name, double(surface->atlas.texel)), found,
+                            truth.local, nearSeams(places.positions, seams, kNearSeam), jumps(atlas, seams))
+                            .c_str());
+      std::fflush(stdout);
+    }
+    std::vector<glm::vec3> unspread;
+    for (const DiffusionTarget& t : truth.targets) unspread.push_back(t.irradiance);
+    std::printf("%s", row(light.name + ", by points", byPoints(*head.mesh, places, truth, light.lighting),
+                          truth.local, {}, "")
+                          .c_str());
+    std::printf("%s", row(light.name + ", not spread", unspread, truth.local, {}, "").c_str());
+    std::printf("%s", row(light.name + ", through thin parts", truth.full, truth.local, {}, "").c_str());
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void printSkinTables(const Parameters& parameters) {
+  const auto context = gl::makeOffscreenContext();
+  std::printf("## Skin: light against the integral over the surface\n\n%s\n\n", gl::glInfo().c_str());
+  for (const SkinHead& head : skinHeads(parameters))
+    if (head.mesh)
+      printHead(head);
+    else
+      std::printf("### %s\n\nNot measured: its file is missing.\n\n", head.name.c_str());
+}
+
+}  // namespace sonoskin::accuracy
