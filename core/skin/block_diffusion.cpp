@@ -19,24 +19,38 @@ constexpr int kLevels = PointDiffusion::kLevels;
 constexpr std::uint32_t kNoTriangle = std::numeric_limits<std::uint32_t>::max();
 constexpr std::ptrdiff_t kRun = 16384;  // texels or samples of a task
 
-// The triangle that each texel shows: the one that it lies farthest inside of, or least outside.
+// The weights of a triangle's corners at a place of the atlas, or at about the nearest place of its sides.
+glm::vec3 weightsInside(const Barycentric& weights, const glm::vec2& place) {
+  const glm::vec3 w = glm::max(weights.at(place), glm::vec3(0));
+  return w / (w.x + w.y + w.z);
+}
+
+glm::vec2 middleOf(int x, int y) { return {float(x) + 0.5f, float(y) + 0.5f}; }
+
+// The triangle that each texel shows: of those around it the one that comes nearest to the place in its map.
 std::vector<std::uint32_t> trianglesOfTexels(const SkinSurface& surface) {
   const glm::ivec2 size = surface.maps.size;
+  const std::vector<glm::vec3>& vertices = surface.mesh->positions;
   std::vector<std::uint32_t> triangles(surface.maps.position.size(), kNoTriangle);
-  std::vector<float> inside(triangles.size(), std::numeric_limits<float>::lowest());
+  std::vector<float> nearest(triangles.size(), std::numeric_limits<float>::max());
   for (std::uint32_t t = 0; t < surface.atlas.corners.size(); ++t) {
     const Corners& c = surface.atlas.corners[t];
+    const auto& [i, j, k] = surface.mesh->triangles[t];
     const Barycentric weights(c);
+    if (!weights.valid()) continue;
     const glm::ivec2 low =
         glm::max(glm::ivec2(glm::floor(glm::min(glm::min(c[0], c[1]), c[2]))), glm::ivec2(0));
     const glm::ivec2 high = glm::min(glm::ivec2(glm::ceil(glm::max(glm::max(c[0], c[1]), c[2]))), size);
     for (int y = low.y; y < high.y; ++y)
       for (int x = low.x; x < high.x; ++x) {
         const std::size_t texel = std::size_t(y) * std::size_t(size.x) + std::size_t(x);
-        const glm::vec3 w = weights.at({float(x) + 0.5f, float(y) + 0.5f});
-        const float depth = std::min({w.x, w.y, w.z});
-        if (surface.maps.position[texel].w == 0 || !(depth > inside[texel])) continue;
-        inside[texel] = depth;
+        const glm::vec4& shown = surface.maps.position[texel];
+        if (shown.w == 0) continue;
+        const glm::vec3 w = weightsInside(weights, middleOf(x, y));
+        const float away =
+            glm::distance(w.x * vertices[i] + w.y * vertices[j] + w.z * vertices[k], glm::vec3(shown));
+        if (away >= nearest[texel]) continue;
+        nearest[texel] = away;
         triangles[texel] = t;
       }
   }
@@ -118,9 +132,8 @@ void BlockDiffusion::State::fill(std::size_t texel, const std::vector<glm::vec4>
     return;
   }
   const auto width = std::size_t(surface->maps.size.x);
-  const glm::vec2 place(float(texel % width) + 0.5f, float(texel / width) + 0.5f);
-  glm::vec3 weights = glm::max(Barycentric(surface->atlas.corners[t]).at(place), glm::vec3(0));
-  weights /= weights.x + weights.y + weights.z;
+  const glm::vec3 weights =
+      weightsInside(Barycentric(surface->atlas.corners[t]), middleOf(int(texel % width), int(texel / width)));
   for (int i = 0; i < kLevels; ++i) {
     const auto l = std::size_t(i);
     maps[l][texel] = diffusion->resolves(i + 1)

@@ -7,13 +7,11 @@
 #include <cstdio>
 #include <numbers>
 
-#include "core/skin/atlas_reading.h"
-#include "core/skin/block_diffusion.h"
 #include "core/skin/brute_force.h"
+#include "core/skin/point_diffusion.h"
 #include "render/gl/context.h"
-#include "render/gl/read_pixels.h"
-#include "render/skin/skin_view.h"
 #include "tests/benchmarks/accuracy/skin_heads.h"
+#include "tests/benchmarks/accuracy/skin_light.h"
 #include "tests/benchmarks/accuracy/skin_places.h"
 
 namespace sonoskin::accuracy {
@@ -86,68 +84,14 @@ std::vector<glm::vec3> byPoints(const Mesh& mesh, const SkinPlaces& places, cons
   return sums;
 }
 
-// A prepared head and its light in the atlas after each blur.
-class LitAtlas {
- public:
-  LitAtlas(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting)
-      : surface_(std::move(surface)) {
-    const std::vector<glm::vec4> irradiance = irradianceMap(lighting);
-    if (surface_->pointBased) {
-      BlockDiffusion kept;
-      levels_ = diffuseInBlocks(surface_, literatureSkin(), irradiance, kept);
-      return;
-    }
-    GpuSkin gpu;
-    gpu.set(surface_);
-    SkinView view;
-    SkinOptions plain;
-    plain.colour = SkinColour::plain;
-    plain.mix = plain.gloss = plain.translucency = 0;
-    view.spread(gpu, plain, irradiance);
-    for (int i = 1; i <= PointDiffusion::kLevels; ++i) levels_[std::size_t(i - 1)] = readMap(view.level(i));
-  }
-
-  // The sum of all six terms at a place where `irradiance` falls.
-  glm::vec3 at(const SkinPlace& place, const glm::vec3& irradiance) const {
-    const glm::vec2 texel = placeInAtlas(surface_->atlas.corners[place.triangle], place.weights);
-    DiffusedLevels found{irradiance};
-    for (std::size_t i = 0; i < levels_.size(); ++i)
-      found[i + 1] = readAtlas(levels_[i], surface_->maps.size, texel);
-    return sumOfLevels(literatureSkin(), found);
-  }
-
- private:
-  std::vector<glm::vec4> irradianceMap(const SkinLighting& lighting) const {
-    std::vector<glm::vec4> map;
-    for (std::size_t t = 0; t < surface_->maps.position.size(); ++t) {
-      const glm::vec4& p = surface_->maps.position[t];
-      map.push_back(p.w > 0
-                        ? glm::vec4(glm::vec3(lighting(glm::vec3(p), glm::vec3(surface_->maps.normal[t]))), 1)
-                        : glm::vec4(0));
-    }
-    return map;
-  }
-  static std::vector<glm::vec4> readMap(const gl::Texture& texture) {
-    const std::vector<float> values = gl::readFloats(texture, 4);
-    std::vector<glm::vec4> map;
-    for (std::size_t i = 0; i < values.size(); i += 4)
-      map.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
-    return map;
-  }
-
-  std::shared_ptr<const SkinSurface> surface_;
-  PointDiffusion::Levels levels_;
-};
-
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
   return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
 }
 
-std::string row(const std::string& name, const std::vector<glm::vec3>& found,
-                const std::vector<glm::vec3>& truth, const std::vector<bool>& nearSeam,
-                const std::string& jump) {
+void print(const std::string& name, const std::vector<glm::vec3>& found, const std::vector<glm::vec3>& truth,
+           const std::vector<bool>& nearSeam = {}, const std::string& jump = "") {
   glm::dvec3 squares(0);
   glm::dvec2 red(0), count(0);  // elsewhere, near a seam
   std::vector<double> errors;
@@ -163,9 +107,11 @@ std::string row(const std::string& name, const std::vector<glm::vec3>& found,
   const std::string near = nearSeam.empty() ? "| |"
                                             : fmt::format("{:.4f} ({:.0f} %) | {:.4f} |", part(1),
                                                           100 * count[1] / double(found.size()), part(0));
-  return fmt::format("| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.3f} | {} {} |\n", name, rms.x,
-                     rms.y, rms.z, quantile(errors, 0.95), quantile(errors, 0.99), quantile(errors, 1), near,
-                     jump);
+  const std::string row =
+      fmt::format("| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.3f} | {} {} |", name, rms.x, rms.y,
+                  rms.z, quantile(errors, 0.95), quantile(errors, 0.99), quantile(errors, 1), near, jump);
+  std::printf("%s\n", row.c_str());
+  std::fflush(stdout);
 }
 
 // The largest difference of a colour between both sides of the seams: 95th and 99th percentile.
@@ -202,24 +148,23 @@ void printHead(const SkinHead& head) {
       "|---|---|---|---|---|---|---|---|---|---|\n");
   for (const NamedLighting& light : lightings(head.home)) {
     const SkinTruth truth = truthOf(samples, places, light.lighting);
-    for (const auto& surface : surfaces) {
-      const LitAtlas atlas(surface, light.lighting);
-      std::vector<glm::vec3> found;
-      for (std::size_t i = 0; i < kPlaces; ++i)
-        found.push_back(atlas.at(places.places[i], truth.targets[i].irradiance));
-      const Seams seams = surface->pointBased ? Seams() : findSeams(*surface->mesh, surface->atlas);
-      std::printf("%s", row(fmt::format("{}, {:.2f} mm", light.name, double(surface->atlas.texel)), found,
-                            truth.local, nearSeams(places.positions, seams, kNearSeam), jumps(atlas, seams))
-                            .c_str());
-      std::fflush(stdout);
-    }
+    for (const auto& surface : surfaces)
+      for (const bool byPoints : {false, true}) {
+        const std::string method = byPoints ? "points in the atlas" : "blurs in the atlas";
+        const LitAtlas atlas =
+            byPoints ? litByPoints(surface, light.lighting) : litByPasses(surface, light.lighting);
+        std::vector<glm::vec3> found;
+        for (std::size_t i = 0; i < kPlaces; ++i)
+          found.push_back(atlas.at(places.places[i], truth.targets[i].irradiance));
+        const Seams seams = findSeams(*surface->mesh, surface->atlas);
+        print(fmt::format("{}, {}, {:.2f} mm", light.name, method, double(surface->atlas.texel)), found,
+              truth.local, nearSeams(places.positions, seams, kNearSeam), jumps(atlas, seams));
+      }
     std::vector<glm::vec3> unspread;
     for (const DiffusionTarget& t : truth.targets) unspread.push_back(t.irradiance);
-    std::printf("%s", row(light.name + ", by points", byPoints(*head.mesh, places, truth, light.lighting),
-                          truth.local, {}, "")
-                          .c_str());
-    std::printf("%s", row(light.name + ", not spread", unspread, truth.local, {}, "").c_str());
-    std::printf("%s", row(light.name + ", through thin parts", truth.full, truth.local, {}, "").c_str());
+    print(light.name + ", points alone", byPoints(*head.mesh, places, truth, light.lighting), truth.local);
+    print(light.name + ", not spread", unspread, truth.local);
+    print(light.name + ", through thin parts", truth.full, truth.local);
   }
   std::printf("\n");
   std::fflush(stdout);

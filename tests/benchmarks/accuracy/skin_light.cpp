@@ -1,0 +1,68 @@
+#include "tests/benchmarks/accuracy/skin_light.h"
+
+#include <cstdio>
+#include <ctime>
+
+#include "core/skin/atlas_reading.h"
+#include "core/skin/block_diffusion.h"
+#include "render/gl/read_pixels.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin::accuracy {
+namespace {
+
+std::vector<glm::vec4> irradianceMap(const SkinSurface& surface, const SkinLighting& lighting) {
+  std::vector<glm::vec4> map;
+  for (std::size_t t = 0; t < surface.maps.position.size(); ++t) {
+    const glm::vec4& p = surface.maps.position[t];
+    const glm::vec3 n(surface.maps.normal[t]);
+    map.push_back(p.w > 0 ? glm::vec4(glm::vec3(lighting(glm::vec3(p), n)), 1) : glm::vec4(0));
+  }
+  return map;
+}
+
+}  // namespace
+
+glm::vec3 LitAtlas::at(const SkinPlace& place, const glm::vec3& irradiance) const {
+  const glm::vec2 texel = placeInAtlas(surface->atlas.corners[place.triangle], place.weights);
+  return glm::vec3(literatureSkin().weights[0]) * irradiance + readAtlas(diffused, surface->maps.size, texel);
+}
+
+LitAtlas litByPasses(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting) {
+  GpuSkin gpu;
+  gpu.set(surface);
+  SkinView view;
+  SkinOptions plain;
+  plain.colour = SkinColour::plain;
+  plain.mix = plain.gloss = plain.translucency = 0;
+  view.spread(gpu, plain, irradianceMap(*surface, lighting));
+  const std::vector<float> values = gl::readFloats(view.diffused(), 4);
+  LitAtlas atlas{std::move(surface), {}};
+  for (std::size_t i = 0; i < values.size(); i += 4)
+    atlas.diffused.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
+  return atlas;
+}
+
+LitAtlas litByPoints(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting) {
+  const auto seconds = [start = std::clock()] { return double(std::clock() - start) / CLOCKS_PER_SEC; };
+  const std::vector<glm::vec4> irradiance = irradianceMap(*surface, lighting);
+  const GaussianSum skin = literatureSkin();
+  BlockDiffusion kept;
+  const double before = seconds();
+  diffuseInBlocks(surface, skin, irradiance, kept);
+  const double built = seconds();
+  const PointDiffusion::Levels& levels = diffuseInBlocks(surface, skin, irradiance, kept);
+  std::fprintf(stderr,
+               "points of %zu triangles in %zu texels: %.2f CPU-s once, %.3f for each light, %zu MB\n",
+               surface->mesh->triangles.size(), irradiance.size(), built - before, seconds() - built,
+               kept.bytes() >> 20);
+  LitAtlas atlas{std::move(surface), std::vector<glm::vec4>(irradiance.size(), glm::vec4(0))};
+  for (std::size_t t = 0; t < irradiance.size(); ++t) {
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      atlas.diffused[t] += glm::vec4(skin.weights[i + 1], 0) * levels[i][t];
+    atlas.diffused[t].a = levels[0][t].a;
+  }
+  return atlas;
+}
+
+}  // namespace sonoskin::accuracy
