@@ -18,6 +18,10 @@ constexpr double kSpacingOfChoice =
     1.1;  // mean spacing of bunches, over the least distance of their chosen points
 constexpr double kReadingReach = 1.5;  // spacings around a place that is read
 
+// The level that a level takes its light from; 0: the base points. Not the one before but the one before that: every step
+// asks anew which points face the same way, and the fewer there are, the nearer it comes to the integral at folds.
+int sourceOf(int level) { return std::max(0, level - 2); }
+
 // Mean weights of the samples of each base point.
 SparseRows gatherRows(const AreaPoints& samples, const PointClusters& clusters) {
   const std::size_t count = clusters.points.size();
@@ -168,10 +172,11 @@ SparseRows PointDiffusion::rowsTo(int level, std::span<const glm::vec3> position
 PointDiffusion::Levels PointDiffusion::diffuse(std::span<const glm::vec4> irradiance) const {
   require(irradiance.size() == gather_.links.size(), "Every sample of the surface needs an irradiance.");
   Levels result;
-  std::vector<glm::vec4> light = multiply(gather_, irradiance);
-  for (std::size_t i = 0; i < kLevels; ++i) {
-    light = multiply(levels_[i].rows, light);
-    result[i] = light;
+  const std::vector<glm::vec4> base = multiply(gather_, irradiance);
+  for (int i = 1; i <= kLevels; ++i) {
+    const auto from = std::size_t(sourceOf(i));
+    result[std::size_t(i - 1)] =
+        multiply(levels_[std::size_t(i - 1)].rows, from == 0 ? base : result[from - 1]);
   }
   return result;
 }
@@ -208,22 +213,21 @@ PointDiffusion::PointDiffusion(const AreaPoints& samples, const GaussianSum& pro
   const PointClusters base = clusterPoints(samples, kBaseSpacing, progress.part(0, 0.2));
   gather_ = gatherRows(samples, base);
   const Level start = makeLevel(base.points);
-  const Level* before = &start;
-  double reached = base.variance;
+  std::array<double, kLevels + 1> reached{base.variance};
   for (int i = 1; i <= kLevels; ++i) {
     const Progress part = progress.part(0.2 + 0.16 * (i - 1), 0.2 + 0.16 * i);
     const double variance = profile.variances[std::size_t(i)];
     const double spacing = kSpacingOfLevel * std::sqrt(variance);
-    Level& level = levels_[std::size_t(i - 1)];
+    const auto own = std::size_t(i), from = std::size_t(sourceOf(i));
+    Level& level = levels_[own - 1];
     level = spacing <= start.spacing
                 ? makeLevel(base.points)
                 : makeLevel(clusterPoints(base.points, spacing / kSpacingOfChoice, part.part(0, 0.3)).points);
     const double reading = readingVariance(i, base.points);
-    resolved_[std::size_t(i - 1)] = variance > 0.5 * (base.variance + reading);
-    const double blur = std::max(0.0, variance - reading - reached);
-    reached += blur;
-    level.rows = spread(*before, level, blur, part.part(0.3, 1));
-    before = &level;
+    resolved_[own - 1] = variance > 0.5 * (base.variance + reading);
+    const double blur = std::max(0.0, variance - reading - reached[from]);
+    reached[own] = reached[from] + blur;
+    level.rows = spread(from == 0 ? start : levels_[from - 1], level, blur, part.part(0.3, 1));
   }
 }
 

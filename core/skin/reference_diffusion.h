@@ -17,7 +17,7 @@ namespace sonoskin {
 //            also passes through thin parts. Gaussians that are too narrow for samples on the surface (0.15 mm apart for
 //            the literature's: the narrowest) leave the texel's own irradiance.
 //   method   samples of the mesh that read the atlas between its texels, in a tree       [Jensen, Buhler 2002; eps 0.05]
-//   cost     14,000 mm^2, texels of 0.3 mm: 25 s of CPU; in proportion to the texels
+//   cost     14,000 mm^2, texels of 0.3 mm: about 8 s of CPU; in proportion to the texels
 //   errors   Error: not one irradiance per texel; Cancelled
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const GaussianSum& profile,
                                           const std::vector<glm::vec4>& irradiance,
