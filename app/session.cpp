@@ -4,22 +4,28 @@
 #include <utility>
 
 #include "app/parameters_key.h"
+#include "core/pipeline/phantom_landmarks.h"
 
 namespace sonoskin {
 
 Session::Session(const Parameters& parameters) : parameters_(parameters), history_({parameters}) {}
 
 // A crop box and what was erased belong to their volume: for one of other dimensions both begin anew, and with them
-// what undo goes back to.
-void Session::adopt(Scan scan, const std::string& name) {
-  const bool other = hasScan() && scan.volume->geometry.dims != scan_.volume->geometry.dims;
-  const bool anew = other || erased_.hasStrokes() || scan.erased;
-  if (other) parameters_.region = {};
+// what undo goes back to. So do landmarks, for any other scan.
+void Session::adopt(Opened opened) {
+  const Scan& scan = opened.scan;
+  const bool resized = hasScan() && scan.volume->geometry.dims != scan_.volume->geometry.dims;
+  const bool other = hasScan() && !(scan.key == scan_.key);
+  const LandmarkOptions before = parameters_.landmarks;
+  if (other || !hasLandmarks(before)) parameters_.landmarks = opened.landmarks;
+  const bool moved = !(parameters_.landmarks == before);
+  const bool anew = resized || moved || erased_.hasStrokes() || scan.erased;
+  if (resized) parameters_.region = {};
   erased_.reset(scan.volume->geometry);
   if (scan.erased) erased_.become(*scan.erased);
   if (anew) history_ = History<Version>({parameters_, erased_.strokes()});
-  scan_ = std::move(scan);
-  name_ = name;
+  scan_ = std::move(opened.scan);
+  name_ = opened.name;
   runner_.cancel();
   results_ = {};
   meshKey_ = {};

@@ -39,7 +39,8 @@ class Session {
  public:
   explicit Session(const Parameters& parameters);
 
-  // Opening. The present document stays until the new one is there.
+  // Opening. The present document stays until the new one is there. Landmarks belong to a scan's own face: another
+  // scan has none, the phantom brings its own.
   void openFile(const std::filesystem::path& path);
   void openPhantom();
   // setSpacing: for files that give none; mm.
@@ -100,8 +101,14 @@ class Session {
   std::uint64_t reconstructions() const { return reconstructions_; }
 
  private:
-  void adopt(Scan scan, const std::string& name);
-  void open(const std::string& label, const std::string& name, std::function<Scan(const Progress&)> make);
+  // Opened: a scan, what it is called, and where the parts of its face are, if that is known.
+  struct Opened {
+    Scan scan;
+    std::string name;
+    LandmarkOptions landmarks{};
+  };
+  void adopt(Opened opened);
+  void open(const std::string& label, Opened opened, std::function<Scan(const Progress&)> make);
   void save(const std::filesystem::path& path, std::function<void(const Progress&)> write);
   void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write);
   void show(const Parameters& parameters);

@@ -12,6 +12,7 @@
 #include "core/io/volume_writer.h"
 #include "core/mesh/print_solid.h"
 #include "core/phantom/phantom.h"
+#include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/recipe.h"
 
 namespace sonoskin {
@@ -19,27 +20,27 @@ namespace fs = std::filesystem;
 
 // ---- opening
 
-void Session::open(const std::string& label, const std::string& name,
-                   std::function<Scan(const Progress&)> make) {
-  const auto made = std::make_shared<Scan>();
+void Session::open(const std::string& label, Opened opened, std::function<Scan(const Progress&)> make) {
+  const auto made = std::make_shared<Opened>(std::move(opened));
   opener_.replace({label,
-                   [made, make = std::move(make)](const Progress& progress) { *made = make(progress); },
-                   [this, made, name] { adopt(std::move(*made), name); }});
+                   [made, make = std::move(make)](const Progress& progress) { made->scan = make(progress); },
+                   [this, made] { adopt(std::move(*made)); }});
 }
 
 void Session::openFile(const fs::path& path) {
   const std::string name = path.filename().string();
-  open("Opening " + name, name, [path](const Progress& progress) { return readScan(path, progress); });
+  open("Opening " + name, {{}, name}, [path](const Progress& progress) { return readScan(path, progress); });
 }
 
 void Session::openPhantom() {
-  open("Simulating the phantom", "Phantom", [options = parameters_.phantom](const Progress& progress) {
-    return makePhantomScan(options, progress);
-  });
+  open("Simulating the phantom", {{}, "Phantom", phantomLandmarks()},
+       [options = parameters_.phantom](const Progress& progress) {
+         return makePhantomScan(options, progress);
+       });
 }
 
 void Session::setSpacing(const glm::dvec3& spacing) {
-  open("Setting the spacing", name_, [scan = scan_, spacing](const Progress&) {
+  open("Setting the spacing", {{}, name_}, [scan = scan_, spacing](const Progress&) {
     auto volume = std::make_shared<Volume<float>>(*scan.volume);
     volume->geometry.spacing = spacing;
     Scan changed = scan;

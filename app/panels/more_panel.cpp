@@ -12,8 +12,8 @@ namespace sonoskin::ui {
 namespace {
 
 // The groups that have a panel of their own, or a place on one.
-constexpr std::array<std::string_view, 6> kElsewhere{"classification", "region", "reconstruction",
-                                                     "global",         "mesh",   "print"};
+constexpr std::array<std::string_view, 9> kElsewhere{
+    "classification", "region", "reconstruction", "global", "mesh", "print", "skin", "light", "landmarks"};
 
 // The rows of a group under its heading; `below` is drawn after them.
 template <class Options, class Below>

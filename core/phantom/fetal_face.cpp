@@ -28,11 +28,22 @@ struct Pose {
     worldToHead = glm::mat3(bow * turn * tilt * axes);
   }
   vec3 toHead(const glm::dvec3& world) const { return worldToHead * (vec3(world) - centre); }
+  glm::dvec3 toWorld(const vec3& head) const {
+    return glm::dvec3(glm::transpose(worldToHead) * head + centre);
+  }
 };
 
 const Pose& pose() {
   static const Pose kPose;
   return kPose;
+}
+
+// The skin of the face at x to the baby's left and y upward, seen from before it.
+glm::dvec3 onFace(float x, float y) {
+  constexpr float kBefore = 60, kCloseEnough = 1e-3f;
+  vec3 p{x, y, kBefore};
+  for (float d = headSkin(p); d > kCloseEnough && p.z > 0; d = headSkin(p)) p.z -= 0.7f * d;
+  return pose().toWorld(p);
 }
 
 }  // namespace
@@ -41,6 +52,11 @@ double skinDistance(const glm::dvec3& world) {
   const vec3 p = pose().toHead(world);
   const float trunk = smoothMin(headSkin(p), bodySkin(p), 5);
   return double(smoothMin(trunk, armSkin(p), 1.2f));
+}
+
+FacePlaces facePlaces() {
+  return {onFace(-14.4f, -1.4f), onFace(14.4f, -1.4f), onFace(0, -12.6f), onFace(-11, -26.4f),
+          onFace(11, -26.4f)};
 }
 
 double boneDistance(const glm::dvec3& world) {

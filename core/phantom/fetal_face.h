@@ -15,6 +15,13 @@ inline constexpr glm::dvec3 kFieldOfView{140.1, 76.5, 111.6};
 //   cost     0.5 us
 double skinDistance(const glm::dvec3& world);
 
+// FacePlaces: where the face's parts lie on the baby's skin; world mm.
+//   eyes   the middle of the closed lids; "right" and "left" are the baby's own
+struct FacePlaces {
+  glm::dvec3 rightEye, leftEye, noseTip, mouthRight, mouthLeft;
+};
+FacePlaces facePlaces();
+
 // boneDistance: signed distance to the baby's bones; negative inside.
 double boneDistance(const glm::dvec3& world);
 

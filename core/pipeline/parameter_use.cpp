@@ -79,6 +79,43 @@ std::string_view meshUse(const Parameters& p, std::string_view field) {
   return {};
 }
 
+std::string_view skinUse(const Parameters& p, std::string_view field) {
+  const SkinOptions& o = p.skin;
+  constexpr std::array<std::string_view, 6> kPigments{"melanin",   "blood", "oxygen",
+                                                      "epidermis", "flush", "mottling"};
+  if (o.colour != SkinColour::pigments && isOneOf(kPigments, field))
+    return "Only used if the colour comes from pigments";
+  if (o.profile != ScatterProfile::custom &&
+      (field == "absorption" || field == "scattering" || field == "gaussians"))
+    return "Only used if the profile is custom";
+  if (o.width == 0 && field == "mix") return "The width is 0: light does not enter the skin";
+  if (o.gloss == 0 && field == "roughness") return "The gloss is 0: the surface reflects nothing";
+  if (o.translucency == 0 && (field == "thinModel" || field == "density"))
+    return "The translucency is 0: no light comes through";
+  if (p.light.kind != LightKind::inside && field == "density")
+    return "Only used if the light is inside the body";
+  return {};
+}
+
+std::string_view lightUse(const LightOptions& o, std::string_view field) {
+  if (o.kind == LightKind::far && field == "distance") return "A far light has no distance";
+  if (o.kind == LightKind::inside && o.distance == 0 && (field == "azimuth" || field == "elevation"))
+    return "The distance is 0: the light is in the middle";
+  if (o.strength == 0 && field == "warmth") return "The strength is 0: the light is off";
+  if (!o.shadows && field == "softness") return "The lights cast no shadows";
+  return {};
+}
+
+std::string_view landmarkUse(const Parameters& p, std::string_view field) {
+  const LandmarkOptions& o = p.landmarks;
+  if (p.skin.colour != SkinColour::pigments) return "Only used if the skin's colour comes from pigments";
+  if (p.skin.flush == 0) return "The skin's flush is 0";
+  const bool right = isSet(o.mouthRight), left = isSet(o.mouthLeft);
+  if (field == "mouthRight" && right && !left) return "The lips need the left corner of the mouth too";
+  if (field == "mouthLeft" && left && !right) return "The lips need the right corner of the mouth too";
+  return {};
+}
+
 }  // namespace
 
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
@@ -92,6 +129,9 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "surface") return surfaceUse(parameters.surface, field);
   if (group == "global") return globalUse(parameters, field);
   if (group == "mesh") return meshUse(parameters, field);
+  if (group == "skin") return skinUse(parameters, field);
+  if (group == "light") return lightUse(parameters.light, field);
+  if (group == "landmarks") return landmarkUse(parameters, field);
   return {};
 }
 

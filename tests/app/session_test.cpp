@@ -9,7 +9,10 @@
 #include "core/base/error.h"
 #include "core/base/timer.h"
 #include "core/io/mesh_reader.h"
+#include "core/io/volume_writer.h"
 #include "core/mesh/mesh_facts.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/phantom_landmarks.h"
 
 namespace sonoskin {
 namespace {
@@ -223,6 +226,81 @@ TEST(Session, ErasedPartsAreSavedAndOpenedAgain) {
   session.loadErased("/nowhere/at/all.nrrd");
   ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.takeMessages().back().kind, Message::Kind::failure);
+  fs::remove(file);
+}
+
+// What only pictures depend on makes nothing anew, but can be undone and is saved.
+TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
+  Parameters small = tinyPhantom();
+  small.mesh.resolution = 60;
+  small.surface.minClusterArea = 20;
+  Session session(small);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  const auto mesh = session.results().mesh;
+  ASSERT_TRUE(mesh && session.meshIsFinal());
+  const std::uint64_t revision = session.revision();
+
+  Parameters p = session.parameters();
+  p.skin.wetness = 0.7;
+  session.edit(p);
+  p.light.azimuth = 120;
+  p.landmarks.noseTip = {1, 2, 3};
+  session.edit(p);
+  session.commitEdit();
+  EXPECT_FALSE(session.activity().busy) << "nothing has to be computed";
+  EXPECT_TRUE(session.meshIsCurrent() && session.meshIsFinal());
+  EXPECT_EQ(session.revision(), revision);
+
+  session.undo();
+  EXPECT_EQ(session.parameters().skin.wetness, SkinOptions{}.wetness);
+  EXPECT_EQ(session.parameters().light.azimuth, LightOptions{}.azimuth);
+  EXPECT_FALSE(session.activity().busy);
+  session.redo();
+  EXPECT_EQ(session.parameters().skin.wetness, 0.7);
+  EXPECT_EQ(session.results().mesh, mesh);
+
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.recipe.json";
+  session.saveRecipe(file);
+  ASSERT_TRUE(wait(session));
+  session.undo();
+  session.loadRecipe(file);
+  EXPECT_EQ(session.parameters().light.azimuth, 120);
+  EXPECT_FALSE(session.activity().busy);
+  EXPECT_EQ(session.results().mesh, mesh);
+  fs::remove(file);
+}
+
+// Landmarks are places on one face.
+TEST(Session, ThePhantomBringsItsLandmarksAndAnotherScanHasNone) {
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.nrrd";
+  Parameters given = tinyPhantom();
+  given.landmarks.noseTip = {7, 8, 9};
+  Session session(given);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.parameters().landmarks, given.landmarks) << "what was given counts";
+
+  given.phantom.seed = 2;
+  session.edit(given);
+  session.commitEdit();
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.parameters().landmarks, phantomLandmarks());
+  EXPECT_FALSE(session.canUndo()) << "the places before were of another scan";
+
+  writeScan(file, makePhantomScan([] {
+              PhantomOptions other;
+              other.dims = {78, 43, 31};
+              other.seed = 3;
+              return other;
+            }()));
+  session.openFile(file);
+  ASSERT_TRUE(wait(session));
+  ASSERT_EQ(session.name(), file.filename());
+  EXPECT_EQ(session.parameters().landmarks, LandmarkOptions{});
   fs::remove(file);
 }
 

@@ -93,8 +93,9 @@ TEST_F(SidePanel, HeadingsOfTheSameNameOpenOneAtATime) {
 
 // The same heading twice would be two lists of the same parameters.
 TEST_F(SidePanel, NoGroupIsListedTwice) {
-  for (const char* heading : {"foldout.Reconstruction", "foldout.Mesh", "foldout.Print", "foldout.Global",
-                              "foldout.Classification", "foldout.Region"})
+  for (const char* heading :
+       {"foldout.Reconstruction", "foldout.Mesh", "foldout.Print", "foldout.Global", "foldout.Classification",
+        "foldout.Region", "foldout.Skin", "foldout.Light", "foldout.Landmarks"})
     EXPECT_FALSE(rects.byName.contains(heading)) << heading;
   for (const char* heading : {"foldout.Scan", "foldout.Surface", "foldout.Phantom"})
     EXPECT_TRUE(rects.byName.contains(heading)) << heading;

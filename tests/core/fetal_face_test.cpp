@@ -133,5 +133,19 @@ TEST(FetalFace, FluidSeparatesTheFaceFromTheWall) {
   EXPECT_LT(wallDistance({70, 3, 56}), 0);
 }
 
+// The places are the skin's own, and lie to each other as in a face that looks at the probe with its head toward -x.
+TEST(FetalFace, ItsPlacesLieOnTheSkin) {
+  const FacePlaces f = facePlaces();
+  for (const dvec3& p : {f.rightEye, f.leftEye, f.noseTip, f.mouthRight, f.mouthLeft})
+    EXPECT_NEAR(skinDistance(p), 0, 0.05);
+  EXPECT_NEAR(glm::distance(f.rightEye, f.leftEye), 28.8, 0.5);
+  EXPECT_NEAR(glm::distance(f.mouthRight, f.mouthLeft), 22, 0.5);
+  EXPECT_GT(f.leftEye.z, f.rightEye.z + 25) << "z points to the baby's left";
+  EXPECT_GT(f.mouthLeft.z, f.mouthRight.z + 18);
+  EXPECT_GT(f.mouthLeft.x, f.leftEye.x + 15) << "x points to the feet";
+  const dvec3 middle = (f.rightEye + f.leftEye + f.mouthRight + f.mouthLeft) / 4.0;
+  EXPECT_LT(f.noseTip.y, middle.y - 5) << "the nose is nearer to the probe";
+}
+
 }  // namespace
 }  // namespace sonoskin

@@ -179,5 +179,68 @@ TEST(ParameterUse, OnlySomeBasesHaveAWidth) {
   }
 }
 
+bool used(const Parameters& p, const char* group, const char* field) {
+  return unusedBecause(p, group, field).empty();
+}
+
+TEST(ParameterUse, PigmentsCountOnlyForTheirColour) {
+  Parameters p;
+  for (const char* field : {"melanin", "blood", "oxygen", "epidermis", "flush", "mottling"}) {
+    p.skin.colour = SkinColour::pigments;
+    EXPECT_TRUE(used(p, "skin", field)) << field;
+    p.skin.colour = SkinColour::clay;
+    EXPECT_FALSE(used(p, "skin", field)) << field;
+  }
+  EXPECT_FALSE(used(p, "landmarks", "leftEye"));
+  EXPECT_TRUE(used(p, "skin", "vernix"));
+}
+
+TEST(ParameterUse, ACustomProfileHasOpticsOfItsOwn) {
+  Parameters p;
+  for (const char* field : {"absorption", "scattering", "gaussians"}) {
+    p.skin.profile = ScatterProfile::newborn;
+    EXPECT_FALSE(used(p, "skin", field)) << field;
+    p.skin.profile = ScatterProfile::custom;
+    EXPECT_TRUE(used(p, "skin", field)) << field;
+  }
+  EXPECT_TRUE(used(p, "skin", "mix"));
+  p.skin.width = 0;
+  EXPECT_FALSE(used(p, "skin", "mix"));
+  EXPECT_TRUE(used(p, "skin", "roughness"));
+  p.skin.gloss = 0;
+  EXPECT_FALSE(used(p, "skin", "roughness"));
+  p.skin.translucency = 0;
+  EXPECT_FALSE(used(p, "skin", "thinModel"));
+}
+
+TEST(ParameterUse, OnlyALampHasADistanceAndOnlyOneInsidePassesTissue) {
+  Parameters p;
+  EXPECT_FALSE(used(p, "light", "distance"));
+  EXPECT_FALSE(used(p, "skin", "density"));
+  p.light.kind = LightKind::near;
+  EXPECT_TRUE(used(p, "light", "distance"));
+  EXPECT_FALSE(used(p, "skin", "density"));
+  p.light.kind = LightKind::inside;
+  EXPECT_TRUE(used(p, "skin", "density"));
+  EXPECT_TRUE(used(p, "light", "azimuth"));
+  p.light.distance = 0;
+  EXPECT_FALSE(used(p, "light", "azimuth"));
+  EXPECT_TRUE(used(p, "light", "softness"));
+  p.light.shadows = false;
+  EXPECT_FALSE(used(p, "light", "softness"));
+}
+
+TEST(ParameterUse, LipsNeedBothCornersOfTheMouth) {
+  Parameters p;
+  EXPECT_TRUE(used(p, "landmarks", "mouthLeft")) << "an unset one can be set";
+  p.landmarks.mouthLeft = {1, 2, 3};
+  EXPECT_FALSE(used(p, "landmarks", "mouthLeft"));
+  EXPECT_TRUE(used(p, "landmarks", "mouthRight"));
+  p.landmarks.mouthRight = {1, 5, 3};
+  EXPECT_TRUE(used(p, "landmarks", "mouthLeft"));
+  p.skin.flush = 0;
+  EXPECT_FALSE(used(p, "landmarks", "mouthLeft"));
+}
+
 }  // namespace
 }  // namespace sonoskin
