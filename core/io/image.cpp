@@ -23,7 +23,7 @@ void append(void* target, void* data, int bytes) {
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, const Image& image) {
+std::vector<std::uint8_t> encodePng(const Image& image) {
   const std::size_t bytes = 4 * std::size_t(image.width) * std::size_t(image.height);
   require(image.width > 0 && image.height > 0 && image.rgba.size() == bytes,
           "A picture of {} x {} pixels with {} bytes cannot be written.", image.width, image.height,
@@ -31,7 +31,12 @@ void writePng(const std::filesystem::path& path, const Image& image) {
   std::vector<std::uint8_t> png;
   const int done =
       stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(), 4 * image.width);
-  require(done != 0, "The picture {} could not be encoded.", path.string());
+  require(done != 0, "A picture of {} x {} pixels could not be encoded.", image.width, image.height);
+  return png;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  const std::vector<std::uint8_t> png = encodePng(image);
   writeBytes(path, png.data(), png.size());
 }
 

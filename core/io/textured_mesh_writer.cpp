@@ -1,0 +1,140 @@
+#include "core/io/textured_mesh_writer.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/io/assimp_scene.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+bool isPicture(const Image& image) {
+  return image.width > 0 && image.rgba.size() == 4 * std::size_t(image.width) * std::size_t(image.height);
+}
+
+void check(const TexturedMesh& surface) {
+  const Mesh& mesh = surface.mesh;
+  require(!mesh.empty(), "There are no triangles to write.");
+  require(surface.uv.size() == mesh.positions.size() && mesh.normals.size() == mesh.positions.size(),
+          "A surface with pictures needs a normal and a place in the pictures for every vertex.");
+  const bool fits = std::ranges::all_of(mesh.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return v < mesh.positions.size(); });
+  });
+  require(fits, "A triangle names a vertex that is not there.");
+  require(isPicture(surface.colour), "A surface with pictures needs a colour.");
+  require(surface.lit || (isPicture(surface.normals) && isPicture(surface.finish)),
+          "A surface with pictures needs normals and a finish.");
+}
+
+aiTexture* embedded(const Image& image) {
+  const std::vector<std::uint8_t> png = encodePng(image);
+  auto* texture = new aiTexture;
+  texture->mWidth = unsigned(png.size());  // bytes; height 0: a file
+  texture->pcData = new aiTexel[(png.size() + sizeof(aiTexel) - 1) / sizeof(aiTexel)];
+  std::memcpy(texture->pcData, png.data(), png.size());
+  std::memcpy(texture->achFormatHint, "png", 4);
+  return texture;
+}
+
+// Pictures that the scene holds are called by their numbers.
+void addPictures(aiScene& scene, const TexturedMesh& surface, const Progress& progress) {
+  std::vector<std::pair<aiTextureType, const Image*>> pictures{{aiTextureType_BASE_COLOR, &surface.colour}};
+  if (!surface.lit) {
+    pictures.emplace_back(aiTextureType_NORMALS, &surface.normals);
+    pictures.emplace_back(aiTextureType_UNKNOWN, &surface.finish);  // what assimp calls glTF's finish
+  }
+  scene.mTextures = new aiTexture*[pictures.size()]();
+  aiMaterial& material = *scene.mMaterials[0];
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    progress.update(double(i) / double(pictures.size()));
+    scene.mTextures[i] = embedded(*pictures[i].second);
+    scene.mNumTextures = unsigned(i + 1);
+    const aiString name(fmt::format("*{}", i));
+    material.AddProperty(&name, AI_MATKEY_TEXTURE(pictures[i].first, 0));
+  }
+  const aiColor4D white(1, 1, 1, 1);  // factors of what the pictures say
+  const float roughness = surface.lit ? 0.9f : 1;
+  material.AddProperty(&white, 1, AI_MATKEY_BASE_COLOR);
+  material.AddProperty(&white, 1, AI_MATKEY_COLOR_DIFFUSE);
+  material.AddProperty(&roughness, 1, AI_MATKEY_ROUGHNESS_FACTOR);
+}
+
+Bytes texturedGlb(const TexturedMesh& surface, const Progress& progress) {
+  const auto scene = assimpScene(asGltf(surface.mesh), surface.uv);
+  addPictures(*scene, surface, progress);
+  return glb(*scene, [&](nlohmann::json& root) {
+    if (!surface.lit) return;
+    root["materials"][0]["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
+    root["extensionsUsed"] = {"KHR_materials_unlit"};
+  });
+}
+
+// The roughness alone, as a grey picture.
+Image greyRoughness(const Image& finish) {
+  Image grey = finish;
+  for (std::size_t i = 0; i < grey.rgba.size(); i += 4) grey.rgba[i] = grey.rgba[i + 2] = grey.rgba[i + 1];
+  return grey;
+}
+
+// Kd, Ks and illum are what every reader knows; Pr and norm are those of the extension for physical materials.
+std::string materialText(const std::string& stem, bool lit) {
+  std::string text = "# " + meshFileHeader() + "\nnewmtl skin\n";
+  if (lit) return text + "illum 0\nKd 1 1 1\nmap_Kd " + stem + "_colour.png\n";
+  text += "illum 2\nKd 1 1 1\nKs 0.03 0.03 0.03\nNs 30\nPm 0\nPr 1\n";
+  return text + "map_Kd " + stem + "_colour.png\nmap_Pr " + stem + "_roughness.png\nnorm " + stem +
+         "_normal.png\n";
+}
+
+void writeTexturedObj(const fs::path& path, const TexturedMesh& surface, const Progress& progress) {
+  OutputFolder folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
+  const std::string stem = path.stem().string();
+  writePng(folder.file(stem + "_colour.png"), surface.colour);
+  progress.update(0.3);
+  if (!surface.lit) {
+    writePng(folder.file(stem + "_normal.png"), surface.normals);
+    progress.update(0.6);
+    writePng(folder.file(stem + "_roughness.png"), greyRoughness(surface.finish));
+  }
+  const std::string material = materialText(stem, surface.lit);
+  writeBytes(folder.file(stem + ".mtl"), material.data(), material.size());
+  progress.update(0.8);
+  const Bytes bytes = obj(*assimpScene(surface.mesh, surface.uv), "\nmtllib " + stem + ".mtl\nusemtl skin");
+  writeBytes(folder.file(path.filename().string()), bytes.data(), bytes.size());
+  progress.throwIfCancelled();
+  folder.commit();
+}
+
+}  // namespace
+
+const std::vector<std::string>& texturedMeshExtensions() {
+  static const std::vector<std::string> kExtensions{".glb", ".obj"};
+  return kExtensions;
+}
+
+void writeTexturedMesh(const fs::path& path, const TexturedMesh& surface, const Progress& progress) {
+  const std::string extension = lowerExtension(path);
+  if (std::ranges::count(texturedMeshExtensions(), extension) == 0)
+    throw Error(fmt::format("{}: a surface with pictures is written as .glb or .obj.", path.string()),
+                Error::Kind::usage);
+  check(surface);
+  if (extension == ".obj") {
+    writeTexturedObj(path, surface, progress.part(0, 1));
+  } else {
+    const Bytes bytes = texturedGlb(surface, progress.part(0, 0.9));
+    progress.throwIfCancelled();
+    writeBytes(path, bytes.data(), bytes.size());
+  }
+  progress.update(1);
+}
+
+}  // namespace sonoskin
