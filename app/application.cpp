@@ -152,6 +152,7 @@ void Application::drawSidePanel(float width) {
   ui::drawClassificationPanel(workspace_);
   ui::drawReconstructionPanel(workspace_);
   ui::drawViewPanel(workspace_);
+  ui::drawSkinPanel(workspace_);
   ui::drawMorePanel(workspace_);
   ImGui::EndChild();
 }
@@ -174,6 +175,10 @@ void Application::act(const ui::FileChoice& choice) {
       return session.saveMesh(choice.path);
     case ui::FilePurpose::savePrint:
       return session.savePrint(choice.path);
+    case ui::FilePurpose::saveSkin:
+      return session.saveSkin(choice.path, views_.space.skin.bake(workspace_, false));
+    case ui::FilePurpose::saveLitSkin:
+      return session.saveSkin(choice.path, views_.space.skin.bake(workspace_, true));
     case ui::FilePurpose::savePicture:
       return session.savePicture(choice.path,
                                  ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}));

@@ -12,6 +12,8 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/recipe.h"
 #include "render/pictures.h"
+#include "render/skin/baked_maps.h"
+#include "render/skin/skin_pictures.h"
 
 namespace sonoskin {
 namespace {
@@ -20,12 +22,15 @@ namespace {
 constexpr double kLoaded = 0.3, kComputed = 0.75, kChecked = 0.8, kDrawn = 0.95;
 
 // BatchRun: what the steps of one run share.
+//   parameters  those of the options, with the landmarks of the input
 struct BatchRun {
   const BatchOptions& options;
+  Parameters parameters;
   const Progress& progress;
   const Pipeline::StageBegins& stageBegins;
   OutputFolder folder;
   Report report;
+  std::optional<TexturedMesh> baked{};
 
   std::filesystem::path file(const std::string& name) {
     report.files.push_back(name);
@@ -45,7 +50,7 @@ Scan load(BatchRun& run) {
   Scan scan;
   const bool phantom = run.options.input.volume == kPhantomInput;
   run.stage(phantom ? "simulation" : "reading", [&] {
-    scan = loadInput(run.options.input, run.options.parameters, run.progress.part(0, kLoaded));
+    scan = loadInput(run.options.input, run.parameters, run.progress.part(0, kLoaded));
     return scan.volume->data.size() * sizeof(float);
   });
   const Geometry& g = scan.volume->geometry;
@@ -60,8 +65,8 @@ Scan load(BatchRun& run) {
 
 Results compute(BatchRun& run, const Scan& scan) {
   Pipeline pipeline;  // gone after this, and with it what only a later run would need
-  Results results = pipeline.run(scan, run.options.parameters, Goal::mesh,
-                                 run.progress.part(kLoaded, kComputed), run.stageBegins);
+  Results results =
+      pipeline.run(scan, run.parameters, Goal::mesh, run.progress.part(kLoaded, kComputed), run.stageBegins);
   run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
   run.report.isoValue = results.isoValue;
   run.report.points = results.points->size();
@@ -83,22 +88,33 @@ void checkMeshes(BatchRun& run, const Results& results) {
   });
 }
 
+// The finished picture of the skin, and its maps for files.
+void drawSkin(BatchRun& run, gl::Context& context, const Results& results, const PictureOptions& frame,
+              const Progress& progress) {
+  const bool bakes = run.options.bake != Bake::none;
+  const SkinPictureOptions look{.quality = run.options.skinQuality};
+  writePng(run.file("skin.png"), pictureOfSkin(context, results.mesh, run.parameters, look, frame,
+                                               progress.part(0, bakes ? 0.5 : 1)));
+  if (!bakes) return;
+  const BakeOptions bake{run.options.skinQuality, run.options.bake == Bake::light};
+  run.baked = bakeSkin(context, results.mesh, run.parameters, bake, frame, progress.part(0.5, 1));
+}
+
 void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
   run.stage("pictures", [&] {
     const auto context = gl::makeOffscreenContext(run.options.backend);
     run.report.gl = gl::glInfo();
     PictureOptions frame;
     frame.size = run.options.pictureSize;
-    frame.beam = beamOf(scan, run.options.parameters.scan);
+    frame.beam = beamOf(scan, run.parameters.scan);
+    const Progress progress = run.progress.part(kChecked, kDrawn);
+    drawSkin(run, *context, results, frame, progress.part(0, 0.4));
     VolumePictureOptions look;
     look.iso = float(results.visibleLevel);
     look.crop = boxAround(*results.mesh);
-    const Progress progress = run.progress.part(kChecked, kDrawn);
-    writePng(run.file("skin.png"), pictureOfMesh(*context, results.mesh, MeshLook::skin, frame));
-    progress.update(0.25);
     writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, frame));
     progress.update(0.5);
-    const Region region = regionOf(scan, run.options.parameters.region);
+    const Region region = regionOf(scan, run.parameters.region);
     writePng(run.file("volume.png"),
              pictureOfVolume(*context, withinRegion(scan.volume, region), look, frame));
     progress.update(0.8);
@@ -117,22 +133,34 @@ void writePoints(const std::filesystem::path& path, const SurfacePoints& points)
   writeBytes(path, bytes.data(), bytes.size());
 }
 
+void writeSurfaces(BatchRun& run, const Results& results, const Progress& progress) {
+  const std::vector<std::string>& formats = run.options.meshFormats;
+  for (const std::string& format : formats)
+    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.5));
+  if (!run.baked) return;
+  for (const std::string& format : formats) {
+    if (format != "glb" && format != "obj") continue;
+    const std::vector<std::string> files =
+        writeTexturedMesh(run.folder.file("skin." + format), *run.baked, progress.part(0.5, 1));
+    run.report.files.insert(run.report.files.end(), files.begin(), files.end());
+  }
+}
+
 std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) {
   const BatchOptions& options = run.options;
   const Progress progress = run.progress.part(kDrawn, 1);
-  for (const std::string& format : options.meshFormats)
-    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.2));
+  writeSurfaces(run, results, progress.part(0, 0.2));
   if (results.print) writeMesh(run.file("print.stl"), *results.print, progress.part(0.2, 0.25));
   if (results.print && std::ranges::count(options.meshFormats, "3mf") > 0)
     writeMesh(run.file("print.3mf"), *results.print, progress.part(0.25, 0.3));
   if (options.input.volume == kPhantomInput)
-    writeMesh(run.file("truth.ply"), makePhantomTruth(options.parameters.phantom, progress.part(0.3, 0.7)));
+    writeMesh(run.file("truth.ply"), makePhantomTruth(run.parameters.phantom, progress.part(0.3, 0.7)));
   if (options.keepClassified)
     writeVolume(run.file("classified.nrrd"), *results.classified, scan.beam, progress.part(0.7, 0.9));
   if (options.keepThinned)
     writeVolume(run.file("thinned.nrrd"), *results.thinned, scan.beam, progress.part(0.9, 0.95));
   if (options.keepPoints) writePoints(run.file("points.ply"), *results.points);
-  const std::string recipe = writeRecipe(options.parameters, scan.key);
+  const std::string recipe = writeRecipe(run.parameters, scan.key);
   writeBytes(run.file("recipe.json"), recipe.data(), recipe.size());
   progress.update(1);
   return 0;
@@ -143,7 +171,12 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
 Report runBatch(const BatchOptions& options, const Progress& progress,
                 const Pipeline::StageBegins& stageBegins) {
   const Timer timer;
-  BatchRun run{options, progress, stageBegins, OutputFolder(options.folder), {}};
+  BatchRun run{options,
+               withLandmarks(options.parameters, options.input.volume),
+               progress,
+               stageBegins,
+               OutputFolder(options.folder),
+               {}};
   run.report.input = inputName(options.input.volume);
   run.report.threads = threadCount();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
@@ -9,11 +10,17 @@
 #include "app/report.h"
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
+#include "core/skin/skin_surface.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
 
+// Bake: whether a surface is written with the maps of its skin too, or with the light on it.
+enum class Bake { none, colour, light };
+constexpr std::array<const char*, 3> enumNames(Bake) { return {"none", "colour", "light"}; }
+
 // BatchOptions: one run without a window.
+//   bake    of those of the mesh's formats that hold pictures (glb, obj)
 struct BatchOptions {
   InputFiles input;
   std::filesystem::path folder;
@@ -21,12 +28,15 @@ struct BatchOptions {
   std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf
   bool keepClassified = false, keepThinned = false, keepPoints = false;
   glm::ivec2 pictureSize{1280, 960};
+  Bake bake = Bake::none;
+  SkinQuality skinQuality = fullQuality();
   gl::Backend backend = gl::Backend::egl;
 };
 
 // runBatch: the whole way from a volume to a folder with mesh.<format>, skin.png, mesh.png, volume.png,
 // slices.png, recipe.json and report.json; of the phantom truth.ply too; classified.nrrd, thinned.nrrd,
-// points.ply on request; print.stl (and print.3mf with that format) if print.form is not none.
+// points.ply on request; print.stl (and print.3mf with that format) if print.form is not none; skin.glb and
+//   skin.obj (with its material and pictures) if something is baked.
 //   stageBegins  called with a word for people as each stage starts
 //   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the
 //                results of earlier runs in it are as before then.

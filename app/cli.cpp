@@ -65,6 +65,7 @@ int parseAndRun(int argc, char** argv) {
   program.add_option("FILE", file, "volume to open in the window")->type_name("");
   parameters.addPreset(program);
   parameters.addRecipe(program);
+  parameters.addLook(program);
 
   Console console;
   const std::vector<Command> commands = {

@@ -54,9 +54,20 @@ void scaleBrush(W& w, double factor) {
   w.view.brushRadius = std::clamp(w.view.brushRadius * factor, kLeastBrush, kMostBrush);
 }
 
+bool showsSkin(const W& w) {
+  return w.view.content == SpaceContent::mesh && w.view.meshStyle == MeshStyle::skin && hasMesh(w);
+}
+
+void showMesh(W& w, MeshStyle style) {
+  w.view.content = SpaceContent::mesh;
+  w.view.meshStyle = style;
+}
+
 // Escape ends what is most in the way.
 void stop(W& w) {
-  if (w.view.erasing && !w.session.activity().blocking) {
+  if (w.view.skin.placing) {
+    w.view.skin.placing.reset();
+  } else if (w.view.erasing && !w.session.activity().blocking) {
     w.view.erasing = false;
   } else if (busy(w)) {
     w.session.cancel();
@@ -82,6 +93,10 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::saveMesh, w.settings.folder, w.session.proposedName(".ply")); }, hasMesh, nullptr, true},
   {"file.savePrint", "Save for printing...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::savePrint, w.settings.folder, w.session.proposedName(".stl")); }, hasMesh},
+  {"file.saveSkin", "Save surface with skin...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveSkin, w.settings.folder, w.session.proposedName(".glb")); }, showsSkin},
+  {"file.saveLitSkin", "Save surface with skin and light...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveLitSkin, w.settings.folder, w.session.proposedName(".glb")); }, showsSkin},
   {"file.savePicture", "Save picture...", Menu::file, key(GLFW_KEY_F12),
    [](W& w) { w.files.ask(ui::FilePurpose::savePicture, w.settings.folder, w.session.proposedName(".png")); }, hasScan},
   {"file.openErased", "Open erased parts...", Menu::file, {},
@@ -110,8 +125,11 @@ const Command kCommands[] = {
    [](const W& w) { return w.view.surfaceVoxels; }},
   {"view.volume", "3D: volume", Menu::view, key(GLFW_KEY_V), [](W& w) { w.view.content = SpaceContent::volume; },
    hasScan, [](const W& w) { return w.view.content == SpaceContent::volume; }, true},
-  {"view.mesh", "3D: surface mesh", Menu::view, key(GLFW_KEY_M), [](W& w) { w.view.content = SpaceContent::mesh; },
-   hasMesh, [](const W& w) { return w.view.content == SpaceContent::mesh; }},
+  {"view.mesh", "3D: surface mesh", Menu::view, key(GLFW_KEY_M), [](W& w) { showMesh(w, MeshStyle::clay); },
+   hasMesh, [](const W& w) { return w.view.content == SpaceContent::mesh && !showsSkin(w); }},
+  {"view.skin", "3D: skin", Menu::view, key(GLFW_KEY_S), [](W& w) { showMesh(w, MeshStyle::skin); }, hasMesh, showsSkin},
+  {"view.lamp", "Lamp in the skin view", Menu::view, key(GLFW_KEY_K),
+   [](W& w) { w.view.skin.lamp = !w.view.skin.lamp; }, showsSkin, [](const W& w) { return w.view.skin.lamp; }},
   {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },
    nullptr, [](const W& w) { return w.view.maximised == Pane::space; }, true},
 
@@ -130,7 +148,7 @@ const Command kCommands[] = {
    [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
    [](const W& w) { return w.session.followsParameters(); }},
   {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
-   [](const W& w) { return busy(w) || w.view.erasing || w.view.maximised; }},
+   [](const W& w) { return busy(w) || w.view.erasing || w.view.maximised || w.view.skin.placing; }},
 
   {"help.keys", "Mouse and keys", Menu::help, key(GLFW_KEY_H), [](W& w) { w.keysShown = !w.keysShown; }},
   {"help.about", "About Sonoskin", Menu::help, {}, [](W& w) { w.aboutShown = true; }},

@@ -8,6 +8,7 @@
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
+#include "core/pipeline/phantom_landmarks.h"
 
 namespace sonoskin {
 
@@ -18,6 +19,12 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
   if (!files.mask.empty()) setMask(scan, readScan(files.mask, progress.part(0.8, 0.9)));
   if (!files.erased.empty()) setErased(scan, readScan(files.erased, progress.part(0.9, 1)));
   return scan;
+}
+
+Parameters withLandmarks(Parameters parameters, const std::string& input) {
+  if (input == kPhantomInput && !hasLandmarks(parameters.landmarks))
+    parameters.landmarks = phantomLandmarks();
+  return parameters;
 }
 
 std::string inputName(const std::string& input) {

@@ -24,6 +24,9 @@ struct InputFiles {
 //   errors  Error: see readScan, setMask and setErased; Cancelled
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
 
+// withLandmarks: the parameters, with the phantom's own landmarks where it is the input and none are set.
+Parameters withLandmarks(Parameters parameters, const std::string& input);
+
 // inputName: what a report may say of an input: the file's name without its folders.
 std::string inputName(const std::string& input);
 

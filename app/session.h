@@ -10,6 +10,7 @@
 #include "app/history.h"
 #include "app/worker.h"
 #include "core/io/image.h"
+#include "core/io/textured_mesh_writer.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/runner.h"
 #include "core/volume/scan.h"
@@ -86,6 +87,7 @@ class Session {
   void saveMesh(const std::filesystem::path& path);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
+  void saveSkin(const std::filesystem::path& path, TexturedMesh surface);
   void savePicture(const std::filesystem::path& path, Image image);
   void saveRecipe(const std::filesystem::path& path);
   // proposedName: the scan's name with another ending.

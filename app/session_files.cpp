@@ -115,6 +115,11 @@ void Session::savePrint(const fs::path& path) {
   });
 }
 
+void Session::saveSkin(const fs::path& path, TexturedMesh surface) {
+  const auto baked = std::make_shared<TexturedMesh>(std::move(surface));
+  save(path, [path, baked](const Progress& progress) { writeTexturedMesh(path, *baked, progress); });
+}
+
 void Session::savePicture(const fs::path& path, Image image) {
   const auto picture = std::make_shared<Image>(std::move(image));
   save(path, [path, picture](const Progress&) { writePng(path, *picture); });

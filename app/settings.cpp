@@ -16,6 +16,12 @@ using nlohmann::json;
 
 constexpr std::size_t kMostRecent = 8;
 
+SkinQualityChoice qualityNamed(const std::string& name) {
+  const auto names = enumNames(SkinQualityChoice{});
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? SkinQualityChoice::automatic : SkinQualityChoice(found - names.begin());
+}
+
 }  // namespace
 
 void Settings::noteOpened(const fs::path& file) {
@@ -46,6 +52,7 @@ Settings readSettings(const fs::path& file) {
       settings.recent.emplace_back(recent.get<std::string>());
     settings.width = std::clamp(root.value("width", settings.width), 800, 8192);
     settings.height = std::clamp(root.value("height", settings.height), 600, 8192);
+    settings.skinQuality = qualityNamed(root.value("skinQuality", std::string()));
   } catch (const json::exception&) {
     return {};
   }
@@ -59,7 +66,8 @@ void writeSettings(const fs::path& file, const Settings& settings) {
   const json root{{"folder", settings.folder.string()},
                   {"recent", recent},
                   {"width", settings.width},
-                  {"height", settings.height}};
+                  {"height", settings.height},
+                  {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]}};
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

@@ -1,16 +1,22 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace sonoskin {
 
+// SkinQualityChoice: how fine skin is shown in the window; automatic: as fine as the machine draws it fluently.
+enum class SkinQualityChoice { automatic, full, light };
+constexpr std::array<const char*, 3> enumNames(SkinQualityChoice) { return {"automatic", "full", "light"}; }
+
 // Settings: what the window remembers from one start to the next.
 struct Settings {
   std::filesystem::path folder;               // where files were last opened or saved
   std::vector<std::filesystem::path> recent;  // volumes, the latest first
   int width = 1500, height = 940;             // of the window, at content scale 1
+  SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
 
   // noteOpened: puts a volume at the head of the recent ones.
   void noteOpened(const std::filesystem::path& file);

@@ -4,9 +4,11 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "core/pipeline/parameters.h"
 #include "core/pipeline/pipeline.h"
 #include "core/volume/scan.h"
 #include "render/camera.h"
+#include "render/skin/skin_view.h"
 #include "render/slice_frame.h"
 #include "render/slice_view.h"
 
@@ -29,6 +31,40 @@ struct SlicePose {
   double zoom = 1;
 };
 
+// SkinCompare: what the skin view's two halves show: one picture over both; without and with light that spreads below
+// the surface; settings that were kept and the present ones.
+enum class SkinCompare { off, scatter, settings };
+
+// SkinSettings: what the skin's look depends on, kept to be compared.
+struct SkinSettings {
+  SkinOptions skin;
+  LightOptions light;
+  LandmarkOptions landmarks;
+};
+
+// SkinStatus: what the 3D view tells of the skin.
+//   milliseconds  that a picture over the whole view takes; 0: not known yet
+struct SkinStatus {
+  bool full = false;
+  double milliseconds = 0;
+};
+
+// SkinShow: how the 3D view shows skin.
+//   divider   between the halves, as a share of the view's width
+//   lamp      the movable light's mark
+//   reach     rings around the place in the middle: how far light spreads below the surface
+//   places    marks of the landmarks
+//   placing   the landmark that the next click on the surface places; see kLandmarks
+struct SkinShow {
+  SkinPass pass = SkinPass::skin;
+  SkinCompare compare = SkinCompare::off;
+  float divider = 0.5f;
+  std::optional<SkinSettings> kept;
+  bool lamp = true, reach = false, places = false;
+  std::optional<std::size_t> placing;
+  SkinStatus status;
+};
+
 // ViewState: what the four views show and from where. Knows no interface and no OpenGL.
 struct ViewState {
   glm::dvec3 cursor{0};  // where the three slices meet, world mm
@@ -48,6 +84,7 @@ struct ViewState {
   MeshStyle meshStyle = MeshStyle::clay;
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
+  SkinShow skin;
   Camera camera;
   bool cameraMoved = false;  // by the person, since it was last reset
 

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/presets.h"
 #include "core/pipeline/recipe.h"
+#include "core/skin/skin_presets.h"
 
 namespace sonoskin {
 namespace {
@@ -42,9 +43,18 @@ void ParameterOptions::addRecipe(CLI::App& command) {
       ->type_name("FILE");
 }
 
+void ParameterOptions::addLook(CLI::App& command) {
+  std::string help =
+      "skin and light that belong together; goes on top of a recipe, single options on top of it";
+  for (const SkinPreset& look : skinPresets()) help += fmt::format("\n{}: {}", look.name, look.help);
+  const auto store = [this](const std::string& name) { look_ = findSkinPreset(name).name; };
+  command.add_option_function<std::string>("--look", store, help)->type_name("NAME");
+}
+
 void ParameterOptions::addTo(CLI::App& command) {
   addPreset(command);
   addRecipe(command);
+  addLook(command);
   for (const ParameterInfo& parameter : describeParameters({})) addOne(command, "", parameter.name);
 }
 
@@ -67,6 +77,7 @@ Parameters ParameterOptions::resolve() const {
   Parameters parameters;
   if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
   if (!recipe_.empty()) readRecipe(readText(recipe_), parameters);
+  if (!look_.empty()) applySkinPreset(findSkinPreset(look_), parameters.skin, parameters.light);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;
 }

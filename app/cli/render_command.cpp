@@ -2,13 +2,14 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
 #include "app/cli/mask_options.h"
-#include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/skin_options.h"
 #include "app/input.h"
 #include "core/base/error.h"
 #include "core/base/timer.h"
@@ -16,6 +17,8 @@
 #include "core/io/mesh_reader.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
+#include "render/skin/baked_maps.h"
+#include "render/skin/skin_pictures.h"
 
 namespace sonoskin {
 namespace {
@@ -29,13 +32,33 @@ struct RenderOptions {
   PictureOptions picture;
   gl::Backend backend = gl::Backend::egl;
   ParameterOptions parameters;
+  SkinRenderOptions skin;
+};
+
+// Made: what is written: a picture, or a surface with the maps of its skin.
+struct Made {
+  Image picture;
+  std::optional<TexturedMesh> baked{};
 };
 
 // Shares of the time of what comes before the picture.
 constexpr double kLoaded = 0.3, kComputed = 0.9;
 
-Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
-                        Console& console) {
+// The surface, as the view says.
+Made showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context& context,
+              std::shared_ptr<const Mesh> mesh, Console& console) {
+  const Progress progress = console.progress().part(kComputed, 1);
+  if (o.skin.bake != Bake::none) {
+    console.beginStage("maps");
+    const BakeOptions bake{o.skin.look.quality, o.skin.bake == Bake::light};
+    return {{}, bakeSkin(context, std::move(mesh), parameters, bake, o.picture, progress)};
+  }
+  console.beginStage("picture");
+  if (o.view == "mesh") return {pictureOfMesh(context, std::move(mesh), MeshLook::clay, o.picture)};
+  return {pictureOfSkin(context, std::move(mesh), parameters, o.skin.look, o.picture, progress)};
+}
+
+Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
   if (o.view != "skin" && o.view != "mesh") {
     throw Error(
         fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.files.volume),
@@ -48,12 +71,10 @@ Image pictureOfMeshFile(RenderOptions& o, const Parameters& parameters, gl::Cont
   Scan axes;
   axes.volume = std::make_shared<const Volume<float>>();
   o.picture.beam = beamOf(axes, parameters.scan);
-  console.beginStage("picture");
-  return pictureOfMesh(context, mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
+  return showMesh(o, parameters, context, mesh, console);
 }
 
-Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
-                          Console& console) {
+Made showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
   const Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);
@@ -69,35 +90,37 @@ Image pictureOfVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Co
     look.iso = float(o.level > 0 ? o.level : results.visibleLevel);
     if (!o.whole) look.crop = boxAround(*results.mesh);
     console.beginStage("picture");
-    return pictureOfVolume(context, withinRegion(scan.volume, region), look, o.picture);
+    return {pictureOfVolume(context, withinRegion(scan.volume, region), look, o.picture)};
   }
   const Results results = compute(Goal::mesh);
+  if (o.view != "slices") return showMesh(o, parameters, context, results.mesh, console);
   console.beginStage("picture");
-  if (o.view == "slices") {
-    return pictureOfSlices(
-        context, {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region},
-        o.picture.size);
-  }
-  return pictureOfMesh(context, results.mesh, o.view == "skin" ? MeshLook::skin : MeshLook::clay, o.picture);
+  return {pictureOfSlices(context,
+                          {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region},
+                          o.picture.size)};
 }
 
 void render(RenderOptions& options, Console& console) {
   const Timer timer;
-  checkOutputFile(options.out, {".png"});
+  checkSkinOptions(options.skin, options.view, options.out);
   parseLighting(options.picture.light,
                 parseCamera(options.picture.camera, {}, {}, 1));  // refuses bad words now
-  const Parameters parameters = options.parameters.resolve();
+  const Parameters parameters = withLandmarks(options.parameters.resolve(), options.files.volume);
   const auto context = gl::makeOffscreenContext(options.backend);
-  const Image picture = isMeshFile(options.files.volume)
-                            ? pictureOfMeshFile(options, parameters, *context, console)
-                            : pictureOfVolumeFile(options, parameters, *context, console);
+  const Made made = isMeshFile(options.files.volume) ? showMeshFile(options, parameters, *context, console)
+                                                     : showVolumeFile(options, parameters, *context, console);
   console.progress().throwIfCancelled();
-  writePng(options.out, picture);
+  if (made.baked) {
+    writeTexturedMesh(options.out, *made.baked);
+  } else {
+    writePng(options.out, made.picture);
+  }
 
   nlohmann::ordered_json json;
   json["input"] = inputName(options.files.volume);
   json["file"] = options.out;
   json["view"] = options.view;
+  const Image& picture = made.baked ? made.baked->colour : made.picture;
   json["size"] = {picture.width, picture.height};
   json["gl"] = gl::glInfo();
   json["seconds"] = timer.seconds();
@@ -113,12 +136,14 @@ Command addRenderCommand(CLI::App& program, Console& console) {
   command->add_option("FILE", options->files.volume, "volume or mesh file, or \"phantom\"")
       ->required()
       ->type_name("");
-  command->add_option("--out", options->out, "picture to write: .png")->required()->type_name("PNG");
+  command->add_option("--out", options->out, "picture to write: .png; with --bake a surface: .glb, .obj")
+      ->required()
+      ->type_name("FILE");
   addMaskOptions(*command, options->files);
-  addChoice(
-      *command, "--view", options->view, {"skin", "mesh", "volume", "slices"},
-      "skin: the surface with the tone of skin (for now a lit mesh: light does not scatter below the skin "
-      "yet); mesh: plain; volume: ray-cast; slices: raw, classified and thinned");
+  addChoice(*command, "--view", options->view, {"skin", "mesh", "volume", "slices"},
+            "skin: the surface as skin, with light that goes in and comes out; mesh: plain; volume: "
+            "ray-cast; slices: "
+            "raw, classified and thinned");
   addChoice(*command, "--mode", options->mode, {"iso", "dvr"},
             "for volume; iso: the first hit, dvr: translucent");
   command
@@ -135,10 +160,12 @@ Command addRenderCommand(CLI::App& program, Console& console) {
                    "elevation=, roll= (degrees), zoom=; with commas [default probe]")
       ->type_name("WORDS");
   command
-      ->add_option("--light", options->picture.light,
-                   "portrait, or azimuth=, elevation= (degrees from the camera), strength=; with commas "
-                   "[default portrait]")
+      ->add_option(
+          "--light", options->picture.light,
+          "portrait, or azimuth=, elevation= (degrees from the camera), strength=; with commas; skin "
+          "has the lights of --light.* then, but for these [default portrait]")
       ->type_name("WORDS");
+  addSkinOptions(*command, options->skin);
   addSizeOption(*command, options->picture.size);
   addBackendOption(*command, options->backend);
   console.addThreads(*command);

@@ -7,6 +7,8 @@
 #include "app/cli/mask_options.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/skin_options.h"
+#include "core/base/error.h"
 
 namespace sonoskin {
 namespace {
@@ -20,6 +22,10 @@ struct RunOptions {
 void run(RunOptions& options, Console& console) {
   BatchOptions& batch = options.batch;
   batch.parameters = options.parameters.resolve();
+  const bool canBake = std::ranges::any_of(
+      batch.meshFormats, [](const std::string& format) { return format == "glb" || format == "obj"; });
+  if (batch.bake != Bake::none && !canBake)
+    throw Error("--bake: --export must name glb or obj, which can hold pictures", Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
   batch.keepClassified = keeps("classified");
   batch.keepThinned = keeps("thinned");
@@ -47,6 +53,8 @@ Command addRunCommand(CLI::App& program, Console& console) {
              "formats of the mesh, with commas");
   addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},
              "results on the way to write too, with commas");
+  addBakeOption(*command, batch.bake);
+  addQualityOption(*command, batch.skinQuality);
   addSizeOption(*command, batch.pictureSize);
   addBackendOption(*command, batch.backend);
   console.addThreads(*command);

@@ -13,7 +13,7 @@ namespace {
 struct MouseLine {
   const char *where, *what, *effect;
 };
-constexpr std::array<MouseLine, 15> kMouse{{
+constexpr std::array<MouseLine, 18> kMouse{{
     {"Slices", "Left button", "move the cross-hair"},
     {"", "Wheel", "next slice"},
     {"", "Ctrl+wheel", "zoom"},
@@ -25,6 +25,9 @@ constexpr std::array<MouseLine, 15> kMouse{{
     {"3D", "Left", "rotate"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right or wheel", "zoom"},
+    {"Skin", "Left on the lamp", "move the light; beyond the rim: behind"},
+    {"", "Wheel on the lamp", "its distance, if it is near or inside"},
+    {"", "Left on the dividing line", "move it, where two pictures are compared"},
     {"Any view", "Double click", "alone and back"},
     {"Sliders", "Double click or right", "default"},
     {"", "Ctrl+click", "type a value"},

@@ -18,6 +18,8 @@ void drawReconstructionPanel(
     Workspace& workspace);  // smoothness, fit and mesh and print under "Advanced", the button, what was made
 void drawViewPanel(Workspace& workspace);
 void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin
+void drawSkinPanel(
+    Workspace& workspace);  // where the 3D view shows skin: its look, the light, what is compared
 void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
 
 // The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time.

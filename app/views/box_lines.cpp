@@ -1,10 +1,11 @@
 #include "app/views/box_lines.h"
 
 #include <array>
-#include <cmath>
+#include <optional>
 
 #include "app/crop_box.h"
 #include "app/theme.h"
+#include "app/views/projection.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -25,22 +26,15 @@ void drawBoxLines(const PaneInput& pane, const Workspace& workspace) {
   const Camera& camera = workspace.view.camera;
   const auto corners =
       cornersOf(workspace.session.parameters().region, workspace.session.scan().volume->geometry);
-  const glm::mat4 view = camera.view();
-  const float pixels = 0.5f * pane.size.y / std::tan(0.5f * glm::radians(camera.fieldOfView));
-  std::array<glm::vec2, 8> seen;
-  std::array<bool, 8> before{};  // the camera
-  for (std::size_t n = 0; n < 8; ++n) {
-    const glm::vec3 p(view * glm::vec4(corners[n], 1));
-    before[n] = p.z < -1;
-    seen[n] = pane.corner + 0.5f * pane.size + pixels * glm::vec2(p.x, -p.y) / -p.z;
-  }
+  std::array<std::optional<glm::vec2>, 8> seen;
+  for (std::size_t n = 0; n < 8; ++n) seen[n] = seenAt(corners[n], camera, pane);
   ImVec4 colour = kAccent;
   colour.w = 0.55f;
   for (std::size_t n = 0; n < 8; ++n)
     for (const std::size_t axis : {1, 2, 4}) {
       const std::size_t m = n | axis;
-      if (m == n || !before[n] || !before[m]) continue;
-      ImGui::GetWindowDrawList()->AddLine({seen[n].x, seen[n].y}, {seen[m].x, seen[m].y},
+      if (m == n || !seen[n] || !seen[m]) continue;
+      ImGui::GetWindowDrawList()->AddLine({seen[n]->x, seen[n]->y}, {seen[m]->x, seen[m]->y},
                                           ImGui::GetColorU32(colour), unit());
     }
 }

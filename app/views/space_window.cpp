@@ -20,10 +20,13 @@ constexpr double kMovingBudget = 0.045, kRestingBudget = 2;  // seconds for one 
 constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;   // share of the pixels along a side
 constexpr float kCropMargin = 5;                             // mm around the surface points
 constexpr double kWheelRests = 0.25;                         // seconds without a turn
+constexpr double kPreparingSeconds = 0.06;                   // between looks at how far the skin is prepared
 
 bool showsMesh(const Workspace& w) {
   return w.view.content == SpaceContent::mesh && w.session.results().mesh;
 }
+
+bool wantsSkin(const Workspace& w) { return showsMesh(w) && w.view.meshStyle == MeshStyle::skin; }
 
 std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
   const auto& classified = w.session.results().classified;
@@ -31,7 +34,7 @@ std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
 }
 
 // The fingerprint of everything that the picture depends on.
-Key pictureKey(const Workspace& w, glm::ivec2 size) {
+Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   const ViewState& v = w.view;
   Hasher hasher("3D");
   hasher.addBytes(&v.camera.target, sizeof v.camera.target)
@@ -40,6 +43,7 @@ Key pictureKey(const Workspace& w, glm::ivec2 size) {
   hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle);
   if (showsMesh(w)) {
     hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get()));
+    if (wantsSkin(w)) window.skin.addTo(hasher, w);
   } else {
     hasher.add(shownLevel(v, w.session.results())).add(v.volumeLayer).add(v.crop);
     hasher.add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
@@ -95,9 +99,12 @@ void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int ra
   window.raycaster->draw(input, target);
 }
 
+// Samples: along each side of a pixel; more than one for finished pictures.
 void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, int samples,
                const gl::Target& target) {
-  if (showsMesh(w)) {
+  if (wantsSkin(w) && window.skin.shows(w)) {
+    window.skin.draw(w, samples, samples > 1, target);
+  } else if (showsMesh(w)) {
     drawMesh(window, w, samples, target);
   } else {
     drawVolume(window, scans, w, samples, target);
@@ -127,13 +134,20 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2
   window.secondsPerPixel = std::clamp(window.secondsPerPixel, 1e-9, 1e-4);
 }
 
-std::string caption(const Workspace& w) {
-  const ViewState& v = w.view;
-  if (showsMesh(w)) {
-    const std::string triangles = grouped(w.session.results().mesh->triangles.size()) + " triangles";
-    if (!w.session.meshIsCurrent()) return triangles + ", older than the parameters";
-    return w.session.meshIsFinal() ? triangles : triangles + " (live)";
+std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
+  std::string text = grouped(w.session.results().mesh->triangles.size()) + " triangles";
+  if (!w.session.meshIsCurrent()) {
+    text += ", older than the parameters";
+  } else if (!w.session.meshIsFinal()) {
+    text += " (live)";
   }
+  const std::string preparing = wantsSkin(w) ? window.skin.caption() : "";
+  return preparing.empty() ? text : text + "   " + preparing;
+}
+
+std::string caption(const SpaceWindow& window, const Workspace& w) {
+  const ViewState& v = w.view;
+  if (showsMesh(w)) return meshCaption(window, w);
   const char* layer = v.volumeLayer == VolumeLayer::raw ? "Raw volume" : "Classified volume";
   const bool coarse = v.volumeLayer == VolumeLayer::classified && w.session.classifiedIsCoarse();
   return fmt::format("{}{}, level {:.2f}", layer, coarse ? " (coarse)" : "",
@@ -158,6 +172,21 @@ void drawAxes(const PaneInput& pane, const Workspace& w) {
 }
 
 }  // namespace
+
+// Draws the picture anew where what it shows has changed, or while the skin's light is on its way.
+static void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole, bool moving,
+                    bool lighting) {
+  const Key full = pictureKey(window, workspace, whole);
+  const Key wanted = Hasher("picture").add(full).add(moving ? 0 : 1).key();
+  const Key inFull = Hasher("picture").add(full).add(1).key();
+  if (!lighting && (window.drawn == inFull || window.drawn == wanted)) return;
+  const glm::ivec2 size = pictureSize(window, glm::vec2(whole), moving);
+  redraw(window, scans, workspace, size);
+  // A draft that has all pixels is the full picture.
+  window.drawn = size == whole ? inFull : wanted;
+  if (wantsSkin(workspace) && window.skin.shows(workspace))
+    window.skin.note(workspace, double(size.x) * size.y / (double(whole.x) * whole.y));
+}
 
 bool steer(Camera& camera, const PaneInput& pane) {
   constexpr float kRadiansPerPixel = 0.008f, kZoomPerPixel = 1.006f, kZoomPerNotch = 1.12f;
@@ -188,24 +217,25 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
     paneTitle(pane, "3D", kSurface, "");
     return -1;
   }
-  if (steer(workspace.view.camera, pane)) workspace.view.cameraMoved = true;
-  if (pane.wheel != 0) window.restsAt = now + kWheelRests;
-  const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
-
-  const Key full = pictureKey(workspace, glm::ivec2(pane.size));
-  const glm::ivec2 size = pictureSize(window, pane.size, moving);
-  const Key wanted = Hasher("picture").add(full).add(moving ? 0 : 1).key();
-  const Key inFull = Hasher("picture").add(full).add(1).key();
-  if (!(window.drawn == inFull) && !(window.drawn == wanted)) {
-    redraw(window, scans, workspace, size);
-    // A draft that has all pixels is the full picture.
-    window.drawn = size == glm::ivec2(pane.size) ? inFull : wanted;
+  const bool skin = wantsSkin(workspace);
+  if (skin) {
+    for (const std::string& failure : window.skin.update(workspace)) workspace.toasts.add(failure, true);
   }
+  const PaneInput rest = skin ? useSkinTools(window.skinTools, workspace, pane) : pane;
+  if (steer(workspace.view.camera, rest)) workspace.view.cameraMoved = true;
+  if (pane.wheel != 0) window.restsAt = now + kWheelRests;
+  const bool lighting = skin && window.skin.shows(workspace) && !window.skin.complete();
+  const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt || lighting;
+  refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
+
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
-  paneTitle(pane, "3D", kSurface, caption(workspace));
+  if (skin) drawSkinMarks(window.skinTools, workspace, pane);
+  paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
+  if (lighting || (skin && window.skin.shows(workspace) && !window.skin.complete())) return 0;
+  if (skin && window.skin.preparing()) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }
 

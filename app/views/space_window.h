@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "app/views/pane.h"
+#include "app/views/skin_scene.h"
+#include "app/views/skin_tools.h"
 #include "app/workspace.h"
 #include "core/io/image.h"
 #include "render/gl/gpu_timer.h"
@@ -27,6 +29,8 @@ struct SpaceWindow {
   std::optional<MeshView> meshView;
   std::optional<gl::GpuTimer> timer;
   GpuMesh mesh;
+  SkinScene skin;
+  SkinTools skinTools;
   gl::Framebuffer picture;
   Key drawn;                      // of what the picture shows
   double secondsPerPixel = 1e-6;  // of the last draw

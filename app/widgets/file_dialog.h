@@ -17,6 +17,8 @@ enum class FilePurpose {
   saveRecipe,
   saveMesh,
   savePrint,
+  saveSkin,
+  saveLitSkin,
   savePicture
 };
 

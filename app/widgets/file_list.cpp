@@ -14,6 +14,7 @@ constexpr std::array<const char*, 10> kVolumes{".nrrd",   ".nhdr", ".mha", ".mhd
 constexpr std::array<const char*, 3> kWrittenVolumes{".nrrd", ".mha", ".nii.gz"};
 constexpr std::array<const char*, 5> kMeshes{".ply", ".stl", ".obj", ".glb", ".3mf"};
 constexpr std::array<const char*, 2> kPrints{".stl", ".3mf"};
+constexpr std::array<const char*, 2> kTextured{".glb", ".obj"};
 constexpr std::array<const char*, 1> kPictures{".png"};
 constexpr std::array<const char*, 1> kRecipes{".json"};
 
@@ -40,6 +41,10 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save mesh", "Save", true, kMeshes};
     case FilePurpose::savePrint:
       return {"Save for printing", "Save", true, kPrints};
+    case FilePurpose::saveSkin:
+      return {"Save surface with skin", "Save", true, kTextured};
+    case FilePurpose::saveLitSkin:
+      return {"Save surface with skin and light", "Save", true, kTextured};
     case FilePurpose::savePicture:
       return {"Save picture of the 3D view", "Save", true, kPictures};
   }

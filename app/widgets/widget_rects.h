@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <glm/glm.hpp>
 #include <map>
 #include <string>
 
@@ -20,6 +21,13 @@ struct WidgetRects {
 inline void noteWidget(const std::string& name) {
   if (auto* rects = static_cast<WidgetRects*>(ImGui::GetIO().UserData)) {
     rects->byName[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+  }
+}
+
+// notePlace: a mark of a view that is no widget, such as a lamp, around its middle.
+inline void notePlace(const std::string& name, const glm::vec2& middle, float reach) {
+  if (auto* rects = static_cast<WidgetRects*>(ImGui::GetIO().UserData)) {
+    rects->byName[name] = {{middle.x - reach, middle.y - reach}, {middle.x + reach, middle.y + reach}};
   }
 }
 

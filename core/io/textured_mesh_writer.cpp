@@ -95,23 +95,28 @@ std::string materialText(const std::string& stem, bool lit) {
          "_normal.png\n";
 }
 
-void writeTexturedObj(const fs::path& path, const TexturedMesh& surface, const Progress& progress) {
+std::vector<std::string> writeTexturedObj(const fs::path& path, const TexturedMesh& surface,
+                                          const Progress& progress) {
   OutputFolder folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
   const std::string stem = path.stem().string();
-  writePng(folder.file(stem + "_colour.png"), surface.colour);
-  progress.update(0.3);
+  std::vector<std::string> names{path.filename().string(), stem + ".mtl"};
+  const auto add = [&](const char* what, const Image& image) {
+    names.push_back(fmt::format("{}_{}.png", stem, what));
+    writePng(folder.file(names.back()), image);
+    progress.update(0.2 * double(names.size()));
+  };
+  add("colour", surface.colour);
   if (!surface.lit) {
-    writePng(folder.file(stem + "_normal.png"), surface.normals);
-    progress.update(0.6);
-    writePng(folder.file(stem + "_roughness.png"), greyRoughness(surface.finish));
+    add("normal", surface.normals);
+    add("roughness", greyRoughness(surface.finish));
   }
   const std::string material = materialText(stem, surface.lit);
-  writeBytes(folder.file(stem + ".mtl"), material.data(), material.size());
-  progress.update(0.8);
-  const Bytes bytes = obj(*assimpScene(surface.mesh, surface.uv), "\nmtllib " + stem + ".mtl\nusemtl skin");
-  writeBytes(folder.file(path.filename().string()), bytes.data(), bytes.size());
+  writeBytes(folder.file(names[1]), material.data(), material.size());
+  const Bytes bytes = obj(*assimpScene(surface.mesh, surface.uv), "\nmtllib " + names[1] + "\nusemtl skin");
+  writeBytes(folder.file(names[0]), bytes.data(), bytes.size());
   progress.throwIfCancelled();
   folder.commit();
+  return names;
 }
 
 }  // namespace
@@ -121,20 +126,19 @@ const std::vector<std::string>& texturedMeshExtensions() {
   return kExtensions;
 }
 
-void writeTexturedMesh(const fs::path& path, const TexturedMesh& surface, const Progress& progress) {
+std::vector<std::string> writeTexturedMesh(const fs::path& path, const TexturedMesh& surface,
+                                           const Progress& progress) {
   const std::string extension = lowerExtension(path);
   if (std::ranges::count(texturedMeshExtensions(), extension) == 0)
     throw Error(fmt::format("{}: a surface with pictures is written as .glb or .obj.", path.string()),
                 Error::Kind::usage);
   check(surface);
-  if (extension == ".obj") {
-    writeTexturedObj(path, surface, progress.part(0, 1));
-  } else {
-    const Bytes bytes = texturedGlb(surface, progress.part(0, 0.9));
-    progress.throwIfCancelled();
-    writeBytes(path, bytes.data(), bytes.size());
-  }
+  if (extension == ".obj") return writeTexturedObj(path, surface, progress);
+  const Bytes bytes = texturedGlb(surface, progress.part(0, 0.9));
+  progress.throwIfCancelled();
+  writeBytes(path, bytes.data(), bytes.size());
   progress.update(1);
+  return {path.filename().string()};
 }
 
 }  // namespace sonoskin

@@ -29,9 +29,10 @@ const std::vector<std::string>& texturedMeshExtensions();
 // writeTexturedMesh: GLB holds the pictures; an OBJ has a material file and pictures beside it: face.obj, face.mtl,
 // face_colour.png, face_normal.png, face_roughness.png. They appear together. Units and frames as writeMesh; a lit
 // surface is unlit for the viewer (KHR_materials_unlit).
+//   output   the names of the files, that of `path` first
 //   errors   Error (usage): another extension; Error: no triangles, arrays or pictures that do not fit; (system) the
 //            files cannot be written; Cancelled
-void writeTexturedMesh(const std::filesystem::path& path, const TexturedMesh& surface,
-                       const Progress& progress = {});
+std::vector<std::string> writeTexturedMesh(const std::filesystem::path& path, const TexturedMesh& surface,
+                                           const Progress& progress = {});
 
 }  // namespace sonoskin

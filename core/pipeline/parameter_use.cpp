@@ -106,10 +106,17 @@ std::string_view lightUse(const LightOptions& o, std::string_view field) {
   return {};
 }
 
+// Eyes and nose redden or blue the skin, lips are wet besides.
 std::string_view landmarkUse(const Parameters& p, std::string_view field) {
   const LandmarkOptions& o = p.landmarks;
-  if (p.skin.colour != SkinColour::pigments) return "Only used if the skin's colour comes from pigments";
-  if (p.skin.flush == 0) return "The skin's flush is 0";
+  const bool mouth = field == "mouthRight" || field == "mouthLeft";
+  const bool painted = p.skin.colour == SkinColour::pigments && p.skin.flush > 0;
+  if (!painted && !(mouth && p.skin.wetness > 0))
+    return "Only used if the skin's colour comes from pigments and has some flush";
+  const bool eyes = isSet(o.rightEye) && isSet(o.leftEye);
+  if (field == "rightEye" && isSet(o.rightEye) && !eyes) return "The lids need the left eye too";
+  if (field == "leftEye" && isSet(o.leftEye) && !eyes) return "The lids need the right eye too";
+  if (field == "noseTip" && isSet(o.noseTip) && !eyes) return "The nose needs both eyes too";
   const bool right = isSet(o.mouthRight), left = isSet(o.mouthLeft);
   if (field == "mouthRight" && right && !left) return "The lips need the left corner of the mouth too";
   if (field == "mouthLeft" && left && !right) return "The lips need the right corner of the mouth too";

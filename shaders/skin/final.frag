@@ -7,6 +7,7 @@
 #include "common/noise.glsl"
 #include "skin/background.glsl"
 #include "common/screen.glsl"
+#include "skin/detail.glsl"
 #include "skin/lights.glsl"
 #include "skin/reflection.glsl"
 
@@ -14,34 +15,12 @@ in vec2 uv;
 
 uniform sampler2D surfaceMap, placeMap, depthMap;
 uniform sampler2D diffusedMap, visibilityMap, albedoMap, finishMap;
-uniform sampler3D detailTile;  // gradient of the height, per mm of its own frame; w: height
-uniform float tileLength;      // mm
-uniform vec2 lostSlope;        // mean squared slope of each layer
 uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
 uniform float mixBefore, exposure;
 uniform vec3 firstWeight;      // of the narrowest Gaussian
 
 layout(location = 0) out vec4 colour;
-
-// Slopes that are too fine for the picture make it rougher instead of sparkling.      [skin specification, section 12.5]
-vec3 bumped(vec3 n, vec3 p, float pixel, float strength, inout float m) {
-#if DETAIL > 0
-  const float frequency[2] = float[](2.5, 0.45);  // per mm
-  const float stretch[2] = float[](1.0, 5.3);
-  vec3 slope = vec3(0.0);
-  for (int k = 0; k < DETAIL; ++k) {
-    float weight = clamp(2.0 - 2.0 * frequency[k] * pixel, 0.0, 1.0);
-    slope += weight * textureLod(detailTile, p / (tileLength * stretch[k]) + 0.37 * float(k), 0.0).xyz;
-    m = sqrt(m * m + 2.0 * (1.0 - weight * weight) * strength * strength * lostSlope[k]);
-  }
-  slope *= strength;
-  return normalize(n - (slope - dot(slope, n) * n));
-#else
-  m = sqrt(m * m + 2.0 * strength * strength * (lostSlope.x + lostSlope.y));
-  return n;
-#endif
-}
 
 vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   vec4 spread = textureLod(diffusedMap, place, 0.0), visibility = textureLod(visibilityMap, place, 0.0);

@@ -239,7 +239,20 @@ TEST(ParameterUse, LipsNeedBothCornersOfTheMouth) {
   p.landmarks.mouthRight = {1, 5, 3};
   EXPECT_TRUE(used(p, "landmarks", "mouthLeft"));
   p.skin.flush = 0;
+  EXPECT_TRUE(used(p, "landmarks", "mouthLeft")) << "lips are wet still";
+  p.skin.wetness = 0;
   EXPECT_FALSE(used(p, "landmarks", "mouthLeft"));
+}
+
+TEST(ParameterUse, LidsAndNoseNeedBothEyes) {
+  Parameters p;
+  p.landmarks.noseTip = {1, 2, 3};
+  p.landmarks.leftEye = {1, 2, 9};
+  EXPECT_FALSE(used(p, "landmarks", "noseTip"));
+  EXPECT_FALSE(used(p, "landmarks", "leftEye"));
+  p.landmarks.rightEye = {1, 2, -9};
+  EXPECT_TRUE(used(p, "landmarks", "noseTip"));
+  EXPECT_TRUE(used(p, "landmarks", "leftEye"));
 }
 
 }  // namespace

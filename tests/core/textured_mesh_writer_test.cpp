@@ -108,8 +108,11 @@ TEST(WriteTexturedMesh, LightThatIsBakedIsNotLitAgain) {
 TEST(WriteTexturedMesh, ObjNamesItsMaterialAndPictures) {
   const TempFolder folder;
   const TexturedMesh s = square();
-  writeTexturedMesh(folder / "a.obj", s);
-  EXPECT_EQ(folder.entries(), 5) << "obj, mtl and three pictures";
+  const std::vector<std::string> files = writeTexturedMesh(folder / "a.obj", s);
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"a.obj", "a.mtl", "a_colour.png", "a_normal.png", "a_roughness.png"}));
+  EXPECT_EQ(folder.entries(), 5);
+  for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   EXPECT_TRUE(fileText(folder / "a.obj").starts_with("# Sonoskin"));
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile((folder / "a.obj").string(), aiProcess_JoinIdenticalVertices);

@@ -1,0 +1,75 @@
+#include "app/cli/skin_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+
+#include "app/cli/output_file.h"
+#include "core/base/error.h"
+#include "core/io/textured_mesh_writer.h"
+
+namespace sonoskin {
+namespace {
+
+// addEnum: an option for an enum by its names, of which the first `skipped` are not offered.
+template <NamedEnum E>
+void addEnum(CLI::App& command, const std::string& name, E& value, int skipped, const std::string& help) {
+  const auto all = enumNames(E{});
+  const std::vector<std::string> names(all.begin() + skipped, all.end());
+  const auto store = [name, names, skipped, &value](const std::string& text) {
+    const auto found = std::ranges::find(names, text);
+    if (found == names.end())
+      throw Error(fmt::format("{} {}: expected one of {}", name, text, fmt::join(names, ", ")),
+                  Error::Kind::usage);
+    value = E(skipped + int(found - names.begin()));
+  };
+  command.add_option_function<std::string>(name, store, help)
+      ->type_name(names.size() > 4 ? "NAME" : fmt::format("{}", fmt::join(names, "|")));
+}
+
+}  // namespace
+
+void addQualityOption(CLI::App& command, SkinQuality& quality) {
+  const auto store = [&quality](const std::string& name) {
+    if (name != "full" && name != "light")
+      throw Error(fmt::format("--quality {}: expected full or light", name), Error::Kind::usage);
+    quality = name == "full" ? fullQuality() : lightQuality();
+  };
+  command
+      .add_option_function<std::string>(
+          "--quality", store,
+          "for skin; full: every triangle and texels of 0.15 mm; light: 100,000 "
+          "triangles and texels of 0.3 mm [default full]")
+      ->type_name("full|light");
+}
+
+void addBakeOption(CLI::App& command, Bake& bake) {
+  addEnum(command, "--bake", bake, 1,
+          "the surface with its skin's maps for other programs (GLB and OBJ): colour, normals and roughness, "
+          "or the "
+          "light that comes out of the skin");
+}
+
+void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
+  addEnum(command, "--pass", options.look.pass, 0,
+          fmt::format("for skin: one of the things that the picture is made of: {} [default skin]",
+                      fmt::join(enumNames(SkinPass{}), ", ")));
+  command.add_flag("--reference", options.look.reference,
+                   "for skin: light is spread by integration over the surface, exact and slow");
+  addQualityOption(command, options.look.quality);
+  addBakeOption(command, options.bake);
+}
+
+void checkSkinOptions(const SkinRenderOptions& options, const std::string& view, const std::string& out) {
+  const auto onlyFor = [&](bool given, const char* name) {
+    if (given && view != "skin")
+      throw Error(fmt::format("{}: only for --view skin, not {}", name, view), Error::Kind::usage);
+  };
+  onlyFor(options.look.pass != SkinPass::skin, "--pass");
+  onlyFor(options.look.reference, "--reference");
+  onlyFor(options.bake != Bake::none, "--bake");
+  checkOutputFile(out,
+                  options.bake == Bake::none ? std::vector<std::string>{".png"} : texturedMeshExtensions());
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "app/batch.h"
+#include "render/skin/skin_pictures.h"
+
+namespace sonoskin {
+
+// SkinRenderOptions: --pass, --reference, --quality and --bake of `render`.
+struct SkinRenderOptions {
+  SkinPictureOptions look;
+  Bake bake = Bake::none;
+};
+void addSkinOptions(CLI::App& command, SkinRenderOptions& options);
+
+// checkSkinOptions: refuses, before any work, what does not go together, and an output that cannot be written.
+//   errors  Error (usage)
+void checkSkinOptions(const SkinRenderOptions& options, const std::string& view, const std::string& out);
+
+// addQualityOption: --quality full|light. addBakeOption: --bake colour|light.
+void addQualityOption(CLI::App& command, SkinQuality& quality);
+void addBakeOption(CLI::App& command, Bake& bake);
+
+}  // namespace sonoskin

@@ -1,0 +1,99 @@
+#include <imgui.h>
+
+#include <array>
+
+#include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
+#include "app/panels/skin_rows.h"
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+
+namespace sonoskin::ui {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 8> kSurface{"colour",   "wetness", "vernix",    "flush",
+                                                   "mottling", "gloss",   "roughness", "detail"};
+constexpr std::array<std::string_view, 4> kPigments{"melanin", "blood", "oxygen", "epidermis"};
+constexpr std::array<std::string_view, 9> kScattering{"profile",    "width",        "mix",
+                                                      "absorption", "scattering",   "gaussians",
+                                                      "thinModel",  "translucency", "density"};
+constexpr std::array<std::string_view, 4> kLight{"kind", "strength", "warmth", "exposure"};
+
+RowText skinText(const Parameters& p, std::string_view field) {
+  RowText text = useOf(p, "skin")(field);
+  if (field == "detail") text.label = "Pores";
+  if (field == "width") text.label = "Reach";
+  if (field == "mix") text.label = "Colour before";
+  if (field == "thinModel") text.label = "Thin parts";
+  return text;
+}
+
+template <class Options>
+FieldsEdit drawRows(const char* id, std::string_view group, Options& options, const Rows& rows) {
+  FieldsEdit edit;
+  if (!beginFields(id)) return edit;
+  edit = editFields(group, options, rows);
+  endFields();
+  return edit;
+}
+
+FieldsEdit drawSkinRows(const char* id, Names names, Parameters& p) {
+  return drawRows(id, "skin", p.skin, {names, false, [&](std::string_view f) { return skinText(p, f); }});
+}
+
+FieldsEdit drawPigments(Parameters& p) {
+  if (!foldout("Pigments", "What the skin's colour is made from.")) return {};
+  return drawSkinRows("pigments", kPigments, p);
+}
+
+// While it is open, the view shows how far light spreads.
+FieldsEdit drawScattering(Parameters& p, SkinShow& show) {
+  show.reach = foldout("Scattering", "How light spreads below the surface, and through thin parts.");
+  if (!show.reach) return {};
+  return drawSkinRows("scattering", kScattering, p);
+}
+
+FieldsEdit drawSkin(Parameters& p) {
+  FieldsEdit edit;
+  if (beginFields("skin")) {
+    edit |= lookRow(p);
+    edit |= editFields("skin", p.skin, {kSurface, false, [&](std::string_view f) { return skinText(p, f); }});
+    endFields();
+  }
+  return edit;
+}
+
+FieldsEdit drawLight(Parameters& p) {
+  ImGui::TextDisabled("Light");
+  FieldsEdit edit = drawRows("light", "light", p.light, {kLight, false, useOf(p, "light")});
+  if (foldout("More light",
+              "Where the light is, how soft, and the other lights. The lamp in the view can be dragged."))
+    edit |= drawRows("more light", "light", p.light, {kLight, true, useOf(p, "light")});
+  return edit;
+}
+
+}  // namespace
+
+void drawSkinPanel(Workspace& workspace) {
+  const ViewState& view = workspace.view;
+  bool* shown = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("skin shown"));
+  const bool before = *shown;
+  *shown = view.content == SpaceContent::mesh && view.meshStyle == MeshStyle::skin;
+  if (!*shown) return;
+  if (!before) ImGui::SetScrollHereY(0);  // it lies far below: whoever asks for skin wants to turn it
+  section("Skin");
+  const DisabledIf disabled(!workspace.session.results().mesh);
+  Parameters p = workspace.session.parameters();
+  FieldsEdit edit = drawSkin(p);
+  edit |= drawPigments(p);
+  SkinShow& show = workspace.view.skin;
+  edit |= drawScattering(p, show);
+  edit |= drawLight(p);
+  edit |= landmarkRows(p, show);
+  applyEdit(workspace, p, edit);
+  drawSkinShow(workspace);
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,187 @@
+#include "app/panels/skin_rows.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "app/landmarks.h"
+#include "app/panels/parameter_rows.h"
+#include "app/panels/preset_row.h"
+#include "app/skin_looks.h"
+#include "app/theme.h"
+#include "app/widgets/layout.h"
+#include "app/widgets/widget_rects.h"
+
+namespace sonoskin::ui {
+namespace {
+
+constexpr std::array<const char*, 19> kPassTitles{"Skin",
+                                                  "No light below the surface",
+                                                  "Light that arrives",
+                                                  "Light, spread once",
+                                                  "Light, spread twice",
+                                                  "Light, spread three times",
+                                                  "Light, spread four times",
+                                                  "Light, spread five times",
+                                                  "Light below the surface",
+                                                  "Light through thin parts",
+                                                  "Reflection",
+                                                  "Colour",
+                                                  "Roughness, gloss, water",
+                                                  "Shadows",
+                                                  "Openness to light",
+                                                  "Normals",
+                                                  "Curvature",
+                                                  "Stretch of the map",
+                                                  "Parts of the map"};
+static_assert(kPassTitles.size() == enumNames(SkinPass{}).size());
+
+void wrappedTooltip(const char* text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+// A button that is in the accent's colour while it is on.
+bool toggle(const std::string& title, bool on, float width) {
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.42f));
+  const bool pressed = ImGui::Button(title.c_str(), {width, 0});
+  if (on) ImGui::PopStyleColor();
+  return pressed;
+}
+
+FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, SkinShow& show) {
+  const NamedLandmark& landmark = kLandmarks[index];
+  std::array<double, 3>& place = landmarks.*landmark.place;
+  const float clear = 52 * unit();
+  const bool placing = show.placing == index;
+  beginRow(landmark.name);
+  ImGui::PushID(landmark.name);
+  const float width = ImGui::GetContentRegionAvail().x - clear - ImGui::GetStyle().ItemSpacing.x;
+  if (toggle(placing ? "Click on it" : isSet(place) ? "Place again" : "Place", placing, width)) {
+    if (placing) {
+      show.placing.reset();
+    } else {
+      show.placing = index;
+    }
+  }
+  noteWidget(fmt::format("landmark.{}", index));
+  wrappedTooltip("Then click on the place in the 3D view. Escape: do not.");
+  ImGui::SameLine();
+  FieldsEdit edit;
+  {
+    const DisabledIf unset(!isSet(place));
+    if (ImGui::Button("Clear", {clear, 0})) {
+      place = {};
+      edit = {true, true};
+    }
+    noteWidget(fmt::format("landmark.{}.clear", index));
+  }
+  ImGui::PopID();
+  return edit;
+}
+
+void passRow(SkinShow& show) {
+  beginRow("Show");
+  if (ImGui::BeginCombo("##pass", passTitle(show.pass), ImGuiComboFlags_HeightLargest)) {
+    for (std::size_t i = 0; i < kPassTitles.size(); ++i) {
+      if (ImGui::Selectable(kPassTitles[i], show.pass == SkinPass(i))) show.pass = SkinPass(i);
+      noteWidget(std::string("skin.pass.") + enumNames(SkinPass{})[i]);
+    }
+    ImGui::EndCombo();
+    return;
+  }
+  noteWidget("skin.pass");
+}
+
+void keep(SkinShow& show, const Parameters& p) { show.kept = {p.skin, p.light, p.landmarks}; }
+
+void compareRows(SkinShow& show, const Parameters& p) {
+  beginRow("Compare");
+  int compare = int(show.compare);
+  if (segments("skin.compare", {"Off", "Scatter", "A | B"}, compare)) {
+    show.compare = SkinCompare(compare);
+    if (show.compare == SkinCompare::settings && !show.kept) keep(show, p);
+  }
+  if (show.compare != SkinCompare::settings) return;
+  beginRow("");
+  if (ImGui::Button("Keep this as A", {-1, 0})) keep(show, p);
+  noteWidget("skin.keep");
+  wrappedTooltip("The left half shows what is kept, the right half what the sliders say.");
+}
+
+// What is drawn, and why.
+std::string qualityText(SkinQualityChoice choice, const SkinStatus& status) {
+  const std::string time =
+      status.milliseconds > 0 ? fmt::format(", {:.0f} ms a picture", status.milliseconds) : "";
+  const std::string used = std::string(status.full ? "full" : "light") + time;
+  return choice == SkinQualityChoice::automatic ? "in use: " + used : used;
+}
+
+void qualityRows(Workspace& w) {
+  beginRow("Quality");
+  int choice = int(w.settings.skinQuality);
+  if (segments("skin.quality", {"Auto", "Full", "Light"}, choice))
+    w.settings.skinQuality = SkinQualityChoice(choice);
+  beginRow("");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", qualityText(w.settings.skinQuality, w.view.skin.status).c_str());
+  wrappedTooltip(
+      "Full: every triangle and texels of 0.15 mm. Light: 100,000 triangles and texels of 0.3 mm, for "
+      "machines "
+      "without a graphics card. Auto takes full where a picture is drawn in less than 30 ms.");
+}
+
+}  // namespace
+
+const char* passTitle(SkinPass pass) { return kPassTitles[std::size_t(pass)]; }
+
+FieldsEdit lookRow(Parameters& parameters) {
+  beginRow("Look");
+  const Look look = lookOf(parameters);
+  const std::string title =
+      !look.preset ? "Your own" : presetTitle(look.preset->name) + (look.otherLight ? ", other light" : "");
+  FieldsEdit edit;
+  if (ImGui::BeginCombo("##look", title.c_str(), ImGuiComboFlags_HeightLargest)) {
+    for (const SkinPreset& preset : skinPresets()) {
+      const bool chosen = look.preset == &preset && !look.otherLight;
+      if (ImGui::Selectable(presetTitle(preset.name).c_str(), chosen) && !chosen) {
+        applySkinPreset(preset, parameters.skin, parameters.light);
+        edit = {true, true};
+      }
+      noteWidget("look." + std::string(preset.name));
+      wrappedTooltip((sentence(preset.help) + ".").c_str());
+    }
+    ImGui::EndCombo();
+    return edit;
+  }
+  noteWidget("look");
+  if (look.preset) wrappedTooltip((sentence(look.preset->help) + ".").c_str());
+  return edit;
+}
+
+FieldsEdit landmarkRows(Parameters& parameters, SkinShow& show) {
+  FieldsEdit edit;
+  show.places = foldout("Landmarks", "Places of the face, for the colour of lips, lids and cheeks.");
+  if (!show.places) return edit;
+  if (beginFields("landmarks")) {
+    for (std::size_t i = 0; i < kLandmarks.size(); ++i) edit |= landmarkRow(i, parameters.landmarks, show);
+    endFields();
+  }
+  return edit;
+}
+
+void drawSkinShow(Workspace& workspace) {
+  ImGui::Dummy({0, 4 * unit()});
+  if (!beginFields("skin show")) return;
+  passRow(workspace.view.skin);
+  compareRows(workspace.view.skin, workspace.session.parameters());
+  qualityRows(workspace);
+  endFields();
+}
+
+}  // namespace sonoskin::ui

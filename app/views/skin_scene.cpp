@@ -1,0 +1,135 @@
+#include "app/views/skin_scene.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/pipeline/parameter_key.h"
+#include "render/skin/baked_maps.h"
+
+namespace sonoskin::ui {
+namespace {
+
+// What is drawn is the second picture's time: the first one may have compiled and uploaded things.
+constexpr int kSettled = 2;
+
+SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box) {
+  return {settings.skin, settings.landmarks, makeLightRig(settings.light, home, box)};
+}
+
+SkinSettings presentSettings(const Workspace& w) {
+  const Parameters& p = w.session.parameters();
+  return {p.skin, p.light, p.landmarks};
+}
+
+void addSettings(Hasher& hasher, const SkinSettings& settings) {
+  addOptions(hasher, settings.skin);
+  addOptions(hasher, settings.light);
+  addOptions(hasher, settings.landmarks);
+}
+
+}  // namespace
+
+HomeFrame homeOf(const Workspace& workspace) {
+  const Beam beam = workspace.session.beam();
+  return homeFrame(lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), {glm::vec3(0), glm::vec3(1)}, 1));
+}
+
+void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
+  if (!worker_) worker_ = std::make_unique<Worker>();
+  wanted_ = wanted;
+  const auto made = std::make_shared<std::shared_ptr<const SkinSurface>>();
+  const glm::vec3 front = homeOf(workspace).back;
+  worker_->replace({"Preparing skin",
+                    [made, wanted, front](const Progress& progress) {
+                      const SkinQuality quality = wanted.full ? fullQuality() : lightQuality();
+                      *made = prepareSkin(wanted.mesh, front, quality, progress);
+                    },
+                    [this, made, wanted] {
+                      prepared_ = *made;
+                      shown_ = wanted;
+                      drawn_ = 0;
+                    }});
+}
+
+std::vector<std::string> SkinScene::update(Workspace& workspace) {
+  const Wanted wanted{workspace.session.results().mesh, chooser_.full(workspace.settings.skinQuality)};
+  // While the surface follows a slider it will be another one at once.
+  const bool rests = !workspace.session.activity().busy;
+  if (wanted.mesh && !(wanted == wanted_) && rests) prepare(wanted, workspace);
+  std::vector<std::string> failures;
+  if (worker_) failures = worker_->poll();
+  workspace.view.skin.status.full = shown_.full;
+  return failures;
+}
+
+bool SkinScene::shows(const Workspace& workspace) const {
+  return prepared_ && shown_.mesh == workspace.session.results().mesh;
+}
+
+std::string SkinScene::caption() const {
+  if (!worker_) return {};
+  const Worker::Status status = worker_->status();
+  return status.busy ? fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction) : "";
+}
+
+void SkinScene::addTo(Hasher& hasher, const Workspace& workspace) const {
+  const SkinShow& show = workspace.view.skin;
+  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get()));
+  addSettings(hasher, presentSettings(workspace));
+  hasher.add(show.pass).add(show.compare).add(show.divider);
+  if (show.compare == SkinCompare::settings && show.kept) addSettings(hasher, *show.kept);
+}
+
+void SkinScene::draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target) {
+  if (!surface_) surface_.emplace();
+  if (!view_) view_.emplace();
+  surface_->set(prepared_);
+  const SkinShow& show = workspace.view.skin;
+  const HomeFrame home = homeOf(workspace);
+  const SkinLook look = lookOf(presentSettings(workspace), home, surface_->box());
+  SkinViewInput input{
+      .surface = *surface_, .camera = workspace.view.camera, .look = look, .quality = quality()};
+  input.supersampling = supersampling;
+  input.pass = show.pass;
+  if (!shown_.full && !finished) input.steps = 1;
+  const bool split = show.compare != SkinCompare::off;
+  if (split) input.shownPart = {show.divider, 1};
+  view_->draw(input, target);
+  complete_ = view_->complete();
+  if (!split) return;
+  input.shownPart = {0, show.divider};
+  if (show.compare == SkinCompare::scatter) {
+    input.pass = SkinPass::undiffused;
+    view_->draw(input, target);
+    return;
+  }
+  if (!kept_) kept_.emplace();
+  const SkinLook kept = lookOf(show.kept.value_or(presentSettings(workspace)), home, surface_->box());
+  SkinViewInput other{
+      .surface = *surface_, .camera = workspace.view.camera, .look = kept, .quality = quality()};
+  other.supersampling = supersampling;
+  other.pass = show.pass;
+  other.shownPart = input.shownPart;
+  other.steps = input.steps;
+  kept_->draw(other, target);
+  complete_ = complete_ && kept_->complete();
+}
+
+TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
+  require(shows(workspace), "the skin is not ready yet; wait until the view shows it");
+  if (!surface_) surface_.emplace();
+  surface_->set(prepared_);
+  const SkinLook look = lookOf(presentSettings(workspace), homeOf(workspace), surface_->box());
+  return bakeSurface(*surface_, look, {quality(), light});
+}
+
+void SkinScene::note(Workspace& workspace, double share) {
+  if (!view_ || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off) return;
+  const double seconds = 1e-3 * view_->timing().final / share;
+  workspace.view.skin.status.milliseconds = 1000 * seconds;
+  chooser_.measured(shown_.full, seconds);
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/skin_quality.h"
+#include "app/worker.h"
+#include "app/workspace.h"
+#include "core/io/textured_mesh_writer.h"
+#include "core/skin/skin_surface.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin::ui {
+
+// SkinScene: the skin look of the 3D view. The shown mesh is prepared in the background; until that is done the view
+// shows it plainly lit.
+class SkinScene {
+ public:
+  // update: once a frame while skin is to be shown; begins to prepare the session's mesh where it is another one, or
+  // another quality is wanted.
+  //   output  sentences about what failed
+  std::vector<std::string> update(Workspace& workspace);
+  // shows: whether the session's mesh can be shown as skin.
+  bool shows(const Workspace& workspace) const;
+  // caption: "Preparing skin  40 %", or empty.
+  std::string caption() const;
+  bool preparing() const { return worker_ && worker_->status().busy; }
+
+  // addTo: everything but camera and size that a picture depends on.
+  void addTo(Hasher& hasher, const Workspace& workspace) const;
+
+  // draw: one picture; the light follows in steps over several draws where the quality is light, unless it is
+  // `finished`.
+  void draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target);
+  // complete: whether the last picture showed the light that was asked for.
+  bool complete() const { return complete_; }
+  // bake: what is shown, for a file; see render/skin/baked_maps.h.
+  //   errors  Error: it is not prepared yet
+  TexturedMesh bake(const Workspace& workspace, bool light);
+  // note: after a draw of a whole view: how long such pictures take.
+  void note(Workspace& workspace, double share);
+
+ private:
+  struct Wanted {
+    std::shared_ptr<const Mesh> mesh;
+    bool full = false;
+    friend bool operator==(const Wanted&, const Wanted&) = default;
+  };
+  void prepare(const Wanted& wanted, const Workspace& workspace);
+  SkinQuality quality() const { return shown_.full ? fullQuality() : lightQuality(); }
+
+  std::unique_ptr<Worker> worker_;
+  Wanted wanted_, shown_;
+  std::shared_ptr<const SkinSurface> prepared_;
+  std::optional<GpuSkin> surface_;
+  std::optional<SkinView> view_, kept_;  // of the present settings, and of those that are compared with
+  QualityChooser chooser_;
+  bool complete_ = true;
+  int drawn_ = 0;  // pictures of what is prepared
+};
+
+// homeOf: the frame in which the angles of the session's light count: that of the view from the probe.
+HomeFrame homeOf(const Workspace& workspace);
+
+}  // namespace sonoskin::ui

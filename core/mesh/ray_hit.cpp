@@ -1,0 +1,25 @@
+#include "core/mesh/ray_hit.h"
+
+#include <cmath>
+
+namespace sonoskin {
+
+// Each triangle's plane and two of its coordinates.                                        [Moller, Trumbore 1997]
+std::optional<float> firstHit(const Mesh& mesh, const glm::vec3& origin, const glm::vec3& direction) {
+  std::optional<float> nearest;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::vec3& a = mesh.positions[t[0]];
+    const glm::vec3 ab = mesh.positions[t[1]] - a, ac = mesh.positions[t[2]] - a;
+    const glm::vec3 p = glm::cross(direction, ac);
+    const float det = glm::dot(ab, p);
+    if (det == 0) continue;
+    const glm::vec3 fromA = origin - a, q = glm::cross(fromA, ab);
+    const float u = glm::dot(fromA, p) / det, v = glm::dot(direction, q) / det;
+    const float distance = glm::dot(ac, q) / det;
+    if (u < 0 || v < 0 || u + v > 1 || distance <= 0) continue;
+    if (!nearest || distance < *nearest) nearest = distance;
+  }
+  return nearest;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,160 @@
+// The skin view with the real mouse: the look, the lamp, the halves, landmarks.
+#include "app/landmarks.h"
+#include "render/gl/context.h"
+#include "tests/app/window/window_driver.h"
+
+namespace sonoskin {
+namespace {
+
+class SkinWindowTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    Driver& d = *driver;
+    ASSERT_TRUE(d.waitUntilIdle());
+    d.session().reconstruct();
+    ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
+    ASSERT_TRUE(d.waitUntilIdle());
+    d.moveTo({5, 5});
+    d.frames(3);
+    plain_ = d.screenshot("sonoskin_skin_plain");
+    d.press("s");
+    ASSERT_EQ(d.workspace().view.meshStyle, MeshStyle::skin);
+    // Prepared, lit, and drawn in full: the time of a picture is known then.
+    ASSERT_TRUE(d.wait([&] { return d.workspace().view.skin.status.milliseconds > 0; }));
+    d.frames(10);
+  }
+  // at: where the lamp's mark is, from what the settings say.
+  ImVec2 lamp() const { return driver->point("lamp"); }
+
+  Image plain_;
+};
+
+TEST_F(SkinWindowTest, ShowsSkinAndMovesTheLamp) {
+  Driver& d = *driver;
+  const Image skin = d.screenshot("sonoskin_skin");
+  EXPECT_GT(difference(plain_, skin, d, "pane.space"), 0.1) << "skin does not look like clay";
+  EXPECT_GT(share(skin, d, "pane.space", [](Colour c) { return c.r > 90 && c.r > c.b + 25; }), 0.08);
+
+  const LightOptions before = d.session().parameters().light;
+  const ImVec2 from = lamp(), middle = d.point("pane.space");
+  d.drag(from, {middle.x + 0.8f * (middle.x - from.x), from.y});
+  const LightOptions moved = d.session().parameters().light;
+  EXPECT_GT(moved.azimuth, before.azimuth + 30);
+  EXPECT_NEAR(lamp().x, middle.x + 0.8f * (middle.x - from.x), 3) << "the mark follows the mouse";
+  d.moveTo({5, 5});
+  d.frames(30);
+  EXPECT_GT(difference(skin, d.screenshot("sonoskin_skin_lamp"), d, "pane.space"), 0.05);
+  EXPECT_TRUE(d.session().meshIsCurrent());
+  EXPECT_FALSE(d.session().activity().busy);
+
+  d.press("ctrl+z");
+  EXPECT_EQ(d.session().parameters().light, before);
+  EXPECT_TRUE(d.workspace().toasts.list.empty()) << d.workspace().toasts.list.front().text;
+  EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
+}
+
+TEST_F(SkinWindowTest, DragsTheLampBehindAndTurnsItsDistance) {
+  Driver& d = *driver;
+  Parameters p = d.session().parameters();
+  p.light.kind = LightKind::near;
+  d.session().edit(p);
+  d.session().commitEdit();
+  d.frames(3);
+  const ImVec2 middle = d.point("pane.space"), corner = d.point("pane.space", 0, 0);
+  const float height = 2 * (middle.y - corner.y), width = 2 * (middle.x - corner.x);
+  d.drag(lamp(), {middle.x + 0.44f * std::min(width, height), middle.y});
+  EXPECT_GT(d.session().parameters().light.azimuth, 100) << "beyond the rim is behind";
+  const double distance = d.session().parameters().light.distance,
+               zoom = double(d.workspace().view.camera.distance);
+  d.mouse("click 4");
+  d.mouse("click 4");
+  EXPECT_LT(d.session().parameters().light.distance, 0.9 * distance);
+  EXPECT_EQ(double(d.workspace().view.camera.distance), zoom) << "the wheel is the lamp's there";
+  d.moveTo({5, 5});
+  d.frames(20);
+  d.screenshot("sonoskin_skin_behind");
+  d.press("ctrl+z");
+  EXPECT_EQ(d.session().parameters().light.distance, distance) << "both turns are one step";
+}
+
+// The share of the pixels left and right of the line, between `from` and `to` of the pane's width, that differ.
+double changed(const Image& a, const Image& b, const Driver& d, float from, float to) {
+  const ImVec2 first = d.point("pane.space", from, 0.15f), last = d.point("pane.space", to, 0.85f);
+  int count = 0, all = 0;
+  for (int y = int(first.y); y < int(last.y); ++y)
+    for (int x = int(first.x); x < int(last.x); ++x, ++all) {
+      const Colour p = pixel(a, x, y), q = pixel(b, x, y);
+      count += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) > 12;
+    }
+  return all == 0 ? 0 : double(count) / all;
+}
+
+TEST_F(SkinWindowTest, ComparesHalves) {
+  Driver& d = *driver;
+  d.workspace().view.skin.lamp = false;
+  d.frames(5);
+  const Image whole = d.screenshot("sonoskin_skin_whole");
+  d.workspace().view.skin.compare = SkinCompare::scatter;
+  d.frames(10);
+  const ImVec2 middle = d.point("pane.space");
+  d.drag({middle.x, middle.y + 150}, {middle.x + 60, middle.y + 150});
+  const float divider = d.workspace().view.skin.divider;
+  EXPECT_GT(divider, 0.53f);
+  d.moveTo({5, 5});
+  d.frames(10);
+  const Image scatter = d.screenshot("sonoskin_skin_scatter");
+  EXPECT_GT(changed(whole, scatter, d, 0.1f, divider - 0.02f), 0.01) << "without light below the surface";
+  EXPECT_EQ(changed(whole, scatter, d, divider + 0.02f, 0.9f), 0) << "as it was";
+
+  // A is kept, B is clay.
+  d.workspace().view.skin.compare = SkinCompare::settings;
+  d.workspace().view.skin.kept = {d.session().parameters().skin, d.session().parameters().light,
+                                  d.session().parameters().landmarks};
+  Parameters p = d.session().parameters();
+  p.skin.colour = SkinColour::clay;
+  d.session().edit(p);
+  d.frames(40);
+  const Image settings = d.screenshot("sonoskin_skin_ab");
+  EXPECT_LT(changed(whole, settings, d, 0.1f, divider - 0.02f), 0.002);
+  EXPECT_GT(changed(whole, settings, d, divider + 0.02f, 0.9f), 0.05);
+  EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
+}
+
+// The panel comes into view, and its open headings mark what they are about.
+TEST_F(SkinWindowTest, OpensItsPanel) {
+  Driver& d = *driver;
+  const ImVec2 lookAt = d.point("look");
+  EXPECT_GT(lookAt.y, 0);
+  EXPECT_LT(lookAt.y, 500) << "below the edge of the window";
+  d.click("foldout.Scattering");
+  EXPECT_TRUE(d.workspace().view.skin.reach);
+  d.moveTo({5, 5});
+  d.workspace().view.maximised = Pane::space;
+  d.frames(20);
+  d.screenshot("sonoskin_skin_panel");
+  EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
+}
+
+TEST_F(SkinWindowTest, PlacesALandmarkWithAClick) {
+  Driver& d = *driver;
+  d.workspace().view.skin.placing = 2;
+  const ImVec2 nose = d.point("pane.space");
+  d.moveTo(nose);
+  d.mouse("mousedown 1");
+  d.mouse("mouseup 1");
+  EXPECT_FALSE(d.workspace().view.skin.placing);
+  const auto& place = d.session().parameters().landmarks.noseTip;
+  ASSERT_TRUE(isSet(place));
+  const glm::vec3 at(place[0], place[1], place[2]);
+  float nearest = 1e9f;
+  for (const glm::vec3& v : d.session().results().mesh->positions)
+    nearest = std::min(nearest, glm::distance(v, at));
+  EXPECT_LT(nearest, 1.5f) << "on the surface";
+  const Camera& camera = d.workspace().view.camera;
+  EXPECT_GT(glm::dot(glm::normalize(at - camera.eye()), camera.forward), 0.9999f) << "below the mouse";
+  EXPECT_TRUE(d.session().canUndo());
+}
+
+}  // namespace
+}  // namespace sonoskin
