@@ -6,11 +6,14 @@ bool QualityChooser::full(SkinQualityChoice choice) const {
   return choice == SkinQualityChoice::automatic ? full_ : choice == SkinQualityChoice::full;
 }
 
-void QualityChooser::measured(bool full, double seconds) {
+void QualityChooser::measured(bool full, const SkinTimes& times) {
+  // Four times the texels and often several times the triangles.
+  const double share = full ? 1 : 0.25;
+  const bool fast = times.picture < share * kFluent && times.light < share * kPrompt;
   if (full) {
-    tooSlow_ = seconds > kFluent;
-    full_ = !tooSlow_;
-  } else if (seconds < kAtOnce && !tooSlow_) {
+    tooSlow_ = !fast;
+    full_ = fast;
+  } else if (fast && !tooSlow_) {
     full_ = true;
   }
 }

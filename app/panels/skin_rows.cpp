@@ -177,11 +177,13 @@ FieldsEdit landmarkRows(Parameters& parameters, SkinShow& show) {
 
 void drawSkinShow(Workspace& workspace) {
   ImGui::Dummy({0, 4 * unit()});
-  if (!beginFields("skin show")) return;
+  if (!ImGui::BeginTable("skin show", 2)) return;
+  ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, 62 * unit());
+  ImGui::TableSetupColumn("widget", ImGuiTableColumnFlags_WidthStretch);
   passRow(workspace.view.skin);
   compareRows(workspace.view.skin, workspace.session.parameters());
   qualityRows(workspace);
-  endFields();
+  ImGui::EndTable();
 }
 
 }  // namespace sonoskin::ui

@@ -13,6 +13,7 @@ namespace {
 
 // What is drawn is the second picture's time: the first one may have compiled and uploaded things.
 constexpr int kSettled = 2;
+constexpr double kLightAtOnce = 0.02;  // seconds; what takes longer is spread over several pictures
 
 SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box) {
   return {settings.skin, settings.landmarks, makeLightRig(settings.light, home, box)};
@@ -49,6 +50,7 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                     [this, made, wanted] {
                       prepared_ = *made;
                       shown_ = wanted;
+                      times_.reset();
                       drawn_ = 0;
                     }});
 }
@@ -93,7 +95,8 @@ void SkinScene::draw(const Workspace& workspace, int supersampling, bool finishe
       .surface = *surface_, .camera = workspace.view.camera, .look = look, .quality = quality()};
   input.supersampling = supersampling;
   input.pass = show.pass;
-  if (!shown_.full && !finished) input.steps = 1;
+  const bool atOnce = finished || (times_ && times_->light < kLightAtOnce);
+  if (!atOnce) input.steps = 1;
   const bool split = show.compare != SkinCompare::off;
   if (split) input.shownPart = {show.divider, 1};
   view_->draw(input, target);
@@ -127,9 +130,10 @@ TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
 
 void SkinScene::note(Workspace& workspace, double share) {
   if (!view_ || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off) return;
-  const double seconds = 1e-3 * view_->timing().final / share;
-  workspace.view.skin.status.milliseconds = 1000 * seconds;
-  chooser_.measured(shown_.full, seconds);
+  const SkinView::Timing t = view_->timing();
+  times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.irradiance + t.blurs + t.combine)};
+  workspace.view.skin.status.milliseconds = 1000 * times_->picture;
+  chooser_.measured(shown_.full, *times_);
 }
 
 }  // namespace sonoskin::ui

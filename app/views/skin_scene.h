@@ -30,8 +30,8 @@ class SkinScene {
   // addTo: everything but camera and size that a picture depends on.
   void addTo(Hasher& hasher, const Workspace& workspace) const;
 
-  // draw: one picture; the light follows in steps over several draws where the quality is light, unless it is
-  // `finished`.
+  // draw: one picture; the light follows in steps over several draws where it takes long, unless the picture is
+  // to be `finished`.
   void draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target);
   // complete: whether the last picture showed the light that was asked for.
   bool complete() const { return complete_; }
@@ -56,6 +56,7 @@ class SkinScene {
   std::optional<GpuSkin> surface_;
   std::optional<SkinView> view_, kept_;  // of the present settings, and of those that are compared with
   QualityChooser chooser_;
+  std::optional<SkinTimes> times_;  // of what is prepared
   bool complete_ = true;
   int drawn_ = 0;  // pictures of what is prepared
 };

@@ -30,7 +30,7 @@ std::string greekSymbol(std::string_view symbol) {
 std::string fieldNumber(double value, Range<double> range) {
   if (range.logarithmic) return fmt::format("{:#.3g}", value);
   const double width = range.max - range.min;
-  return fmt::format("{:.{}f}", value, width <= 0.5 ? 3 : width <= 20 ? 2 : 1);
+  return fmt::format("{:.{}f}", value, width <= 0.5 ? 3 : width <= 20 ? 2 : width <= 2000 ? 1 : 0);
 }
 
 double roundedForSlider(double value) {

@@ -234,8 +234,9 @@ FieldsEdit editField(const FieldRow& row, std::array<double, 3>& value, const st
   label(row);
   FieldsEdit edit;
   const float speed = static_cast<float>(std::min(0.1, (range.max - range.min) / 1000));
-  edit.changed = ImGui::DragScalarN("##numbers", ImGuiDataType_Double, value.data(), 3, speed, &range.min,
-                                    &range.max, "%.1f", ImGuiSliderFlags_AlwaysClamp);
+  edit.changed =
+      ImGui::DragScalarN("##numbers", ImGuiDataType_Double, value.data(), 3, speed, &range.min, &range.max,
+                         range.max - range.min <= 100 ? "%.3f" : "%.1f", ImGuiSliderFlags_AlwaysClamp);
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
   edit |= finish(row, value, standard,
                  rangeText(fieldNumber(range.min, range), withUnit(fieldNumber(range.max, range), row.field),

@@ -42,6 +42,16 @@ TEST(CommandLine, WrongUsageGivesTwo) {
       {"render", "phantom", "--out", "/tmp/x.png", "--view", "inside"},
       {"render", "phantom", "--out", "/tmp/x.png", "--camera", "sideways"},
       {"render", "phantom", "--out", "/tmp/x.bmp"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--look", "best"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--pass", "inside"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--quality", "medium"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--view", "mesh", "--pass", "albedo"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--view", "volume", "--reference"},
+      {"render", "phantom", "--out", "/tmp/x.png", "--bake", "colour"},  // a surface is no picture
+      {"render", "phantom", "--out", "/tmp/x.glb"},
+      {"render", "phantom", "--out", "/tmp/x.glb", "--bake", "everything"},
+      {"run", "phantom", "--out", "/tmp/x", "--bake", "colour"},  // PLY holds no pictures
+      {"run", "phantom", "--out", "/tmp/x", "--light.azimuth", "400"},
       {"phantom", "--out", "/tmp/x.doc"},
       {"phantom", "--out", "/tmp/no-such-folder-of-sonoskin/x.nrrd"},
       {"compare", "only-one.ply"},

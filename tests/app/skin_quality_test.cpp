@@ -12,34 +12,36 @@ using enum SkinQualityChoice;
 TEST(SkinQuality, AFastMachineGetsFullQuality) {
   QualityChooser chooser;
   EXPECT_FALSE(chooser.full(automatic)) << "nothing is known yet";
-  chooser.measured(false, 0.002);
+  chooser.measured(false, {0.002, 0.004});
   EXPECT_TRUE(chooser.full(automatic));
-  chooser.measured(true, 0.012);
+  chooser.measured(true, {0.012, 0.030});
   EXPECT_TRUE(chooser.full(automatic));
 }
 
 TEST(SkinQuality, ASlowMachineKeepsLightQuality) {
   QualityChooser chooser;
-  chooser.measured(false, 0.06);
+  chooser.measured(false, {0.06, 0.15});
   EXPECT_FALSE(chooser.full(automatic));
+  chooser.measured(false, {0.005, 0.15});
+  EXPECT_FALSE(chooser.full(automatic)) << "a small view of slow light";
 }
 
 // It must not change to and fro.
 TEST(SkinQuality, WhatWasTooSlowOnceIsNotTriedAgain) {
   QualityChooser chooser;
-  chooser.measured(false, 0.008);
+  chooser.measured(false, {0.004, 0.004});
   ASSERT_TRUE(chooser.full(automatic));
-  chooser.measured(true, 0.05);
+  chooser.measured(true, {0.05, 0.1});
   EXPECT_FALSE(chooser.full(automatic));
-  chooser.measured(false, 0.008);
+  chooser.measured(false, {0.004, 0.004});
   EXPECT_FALSE(chooser.full(automatic));
 }
 
 TEST(SkinQuality, ThePersonOverrules) {
   QualityChooser chooser;
-  chooser.measured(true, 0.5);
+  chooser.measured(true, {0.5, 3});
   EXPECT_TRUE(chooser.full(full));
-  chooser.measured(true, 0.001);
+  chooser.measured(true, {0.001, 0.001});
   EXPECT_FALSE(chooser.full(light));
 }
 
