@@ -43,9 +43,11 @@ struct SkinSettings {
 };
 
 // SkinStatus: what the 3D view tells of the skin.
+//   full          the quality in use
+//   settled       the picture is the final one: with the light that was asked for, and all pixels
 //   milliseconds  that a picture over the whole view takes; 0: not known yet
 struct SkinStatus {
-  bool full = false;
+  bool full = false, settled = false;
   double milliseconds = 0;
 };
 

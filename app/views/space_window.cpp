@@ -228,13 +228,15 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt || lighting;
   refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
 
+  const bool lit = skin && window.skin.shows(workspace) && window.skin.complete();
+  workspace.view.skin.status.settled = lit && !moving;
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   if (skin) drawSkinMarks(window.skinTools, workspace, pane);
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
-  if (lighting || (skin && window.skin.shows(workspace) && !window.skin.complete())) return 0;
+  if (lighting || (skin && window.skin.shows(workspace) && !lit)) return 0;
   if (skin && window.skin.preparing()) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }

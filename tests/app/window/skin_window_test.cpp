@@ -22,9 +22,14 @@ class SkinWindowTest : public WindowTest {
     ASSERT_EQ(d.workspace().view.meshStyle, MeshStyle::skin);
     // Prepared, lit, and drawn in full: the time of a picture is known then.
     ASSERT_TRUE(d.wait([&] { return d.workspace().view.skin.status.milliseconds > 0; }));
-    d.frames(10);
+    settle();
   }
-  // at: where the lamp's mark is, from what the settings say.
+  // settle: until the picture is the final one.
+  void settle() {
+    driver->frames(3);
+    ASSERT_TRUE(driver->wait([&] { return driver->workspace().view.skin.status.settled; }));
+    driver->frames(3);
+  }
   ImVec2 lamp() const { return driver->point("lamp"); }
 
   Image plain_;
@@ -32,6 +37,7 @@ class SkinWindowTest : public WindowTest {
 
 TEST_F(SkinWindowTest, ShowsSkinAndMovesTheLamp) {
   Driver& d = *driver;
+  EXPECT_GT(d.workspace().view.skin.status.milliseconds, 0);
   const Image skin = d.screenshot("sonoskin_skin");
   EXPECT_GT(difference(plain_, skin, d, "pane.space"), 0.1) << "skin does not look like clay";
   EXPECT_GT(share(skin, d, "pane.space", [](Colour c) { return c.r > 90 && c.r > c.b + 25; }), 0.08);
@@ -43,7 +49,7 @@ TEST_F(SkinWindowTest, ShowsSkinAndMovesTheLamp) {
   EXPECT_GT(moved.azimuth, before.azimuth + 30);
   EXPECT_NEAR(lamp().x, middle.x + 0.8f * (middle.x - from.x), 3) << "the mark follows the mouse";
   d.moveTo({5, 5});
-  d.frames(30);
+  settle();
   EXPECT_GT(difference(skin, d.screenshot("sonoskin_skin_lamp"), d, "pane.space"), 0.05);
   EXPECT_TRUE(d.session().meshIsCurrent());
   EXPECT_FALSE(d.session().activity().busy);
@@ -72,7 +78,7 @@ TEST_F(SkinWindowTest, DragsTheLampBehindAndTurnsItsDistance) {
   EXPECT_LT(d.session().parameters().light.distance, 0.9 * distance);
   EXPECT_EQ(double(d.workspace().view.camera.distance), zoom) << "the wheel is the lamp's there";
   d.moveTo({5, 5});
-  d.frames(20);
+  settle();
   d.screenshot("sonoskin_skin_behind");
   d.press("ctrl+z");
   EXPECT_EQ(d.session().parameters().light.distance, distance) << "both turns are one step";
@@ -93,16 +99,16 @@ double changed(const Image& a, const Image& b, const Driver& d, float from, floa
 TEST_F(SkinWindowTest, ComparesHalves) {
   Driver& d = *driver;
   d.workspace().view.skin.lamp = false;
-  d.frames(5);
+  settle();
   const Image whole = d.screenshot("sonoskin_skin_whole");
   d.workspace().view.skin.compare = SkinCompare::scatter;
-  d.frames(10);
+  settle();
   const ImVec2 middle = d.point("pane.space");
   d.drag({middle.x, middle.y + 150}, {middle.x + 60, middle.y + 150});
   const float divider = d.workspace().view.skin.divider;
   EXPECT_GT(divider, 0.53f);
   d.moveTo({5, 5});
-  d.frames(10);
+  settle();
   const Image scatter = d.screenshot("sonoskin_skin_scatter");
   EXPECT_GT(changed(whole, scatter, d, 0.1f, divider - 0.02f), 0.01) << "without light below the surface";
   EXPECT_EQ(changed(whole, scatter, d, divider + 0.02f, 0.9f), 0) << "as it was";
@@ -114,7 +120,7 @@ TEST_F(SkinWindowTest, ComparesHalves) {
   Parameters p = d.session().parameters();
   p.skin.colour = SkinColour::clay;
   d.session().edit(p);
-  d.frames(40);
+  settle();
   const Image settings = d.screenshot("sonoskin_skin_ab");
   EXPECT_LT(changed(whole, settings, d, 0.1f, divider - 0.02f), 0.002);
   EXPECT_GT(changed(whole, settings, d, divider + 0.02f, 0.9f), 0.05);
@@ -131,7 +137,7 @@ TEST_F(SkinWindowTest, OpensItsPanel) {
   EXPECT_TRUE(d.workspace().view.skin.reach);
   d.moveTo({5, 5});
   d.workspace().view.maximised = Pane::space;
-  d.frames(20);
+  settle();
   d.screenshot("sonoskin_skin_panel");
   EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
 }
