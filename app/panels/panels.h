@@ -17,7 +17,7 @@ void drawClassificationPanel(
 void drawReconstructionPanel(
     Workspace& workspace);  // smoothness, fit and mesh and print under "Advanced", the button, what was made
 void drawViewPanel(Workspace& workspace);
-void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin
+void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin; part of the skin panel
 void drawSkinPanel(
     Workspace& workspace);  // where the 3D view shows skin: its look, the light, what is compared
 void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each

@@ -90,6 +90,7 @@ void drawSkinPanel(Workspace& workspace) {
   edit |= drawPigments(p);
   SkinShow& show = workspace.view.skin;
   edit |= drawScattering(p, show);
+  if (show.reach) drawProfilePanel(workspace);
   edit |= drawLight(p);
   edit |= landmarkRows(p, show);
   applyEdit(workspace, p, edit);
