@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/skin/scatter_profile.h"
 #include "render/gl/read_pixels.h"
 #include "render/skin/detail_tile.h"
 #include "render/skin/gpu_skin.h"
@@ -21,7 +20,7 @@ struct Baker {
   const SkinQuality& quality;
   SkinView view{};
   DetailTile detail = makeDetailTile();
-  PassPrograms programs{};
+  PassPrograms programs{"common/fullscreen.vert"};
   gl::Framebuffer target{{.size = {1, 1}}};
 
   Image draw(BakedMap map) {
@@ -43,7 +42,7 @@ struct Baker {
     p.set("detail", float(look.skin.detail));
     p.set("mixBefore", float(look.skin.mix));
     p.set("exposure", look.lights.exposure);
-    p.set("firstWeight", glm::vec3(diffusionOf(look.skin).weights[0]));
+    p.set("firstWeight", view.firstWeight());
     gl::drawFullScreen();
     return gl::readImage(target);
   }

@@ -50,6 +50,7 @@ const gl::Texture& SkinView::level(int level) const { return state_->light.level
 const gl::Texture& SkinView::diffused() const { return state_->light.diffused(); }
 const gl::Texture& SkinView::albedo() const { return state_->light.albedo(); }
 const gl::Texture& SkinView::finish() const { return state_->light.finish(); }
+glm::vec3 SkinView::firstWeight() const { return state_->light.firstWeight(); }
 void SkinView::setDiffused(const std::vector<glm::vec4>& rgba) { state_->light.setDiffused(rgba); }
 SkinView::Timing SkinView::timing() const {
   Timing timing = state_->light.timing();

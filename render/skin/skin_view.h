@@ -104,6 +104,8 @@ class SkinView {
   const gl::Texture& diffused() const;
   const gl::Texture& albedo() const;
   const gl::Texture& finish() const;
+  // firstWeight: of level 0, where `diffused` lacks the first Gaussian; 0 where it holds it.
+  glm::vec3 firstWeight() const;
   // spread: what relight() makes of a given irradiance instead of the lights'.
   //   irradiance   atlas size, linear RGB premultiplied by coverage in a
   void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
