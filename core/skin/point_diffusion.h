@@ -20,7 +20,7 @@ namespace sonoskin {
 //             reading between points blur is measured and taken off the Gaussians.
 //                                                            [skin specification, section 20.2; the measured widths: ours]
 //   levels    1 to 5: the Gaussians number 1 to 5 of the sum; number 0 is narrower than the points
-//   cost      100,000 triangles on 14,000 mm^2: built in 0.5 s of CPU, 70 MB; light again: 15 ms of CPU
+//   cost      100,000 triangles on 14,000 mm^2: built in 0.5 s of CPU, 70 MB; light again: 15 to 50 ms of CPU
 class PointDiffusion {
  public:
   static constexpr int kLevels = GaussianSum::kCount - 1;
