@@ -119,7 +119,8 @@ glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
 }
 
-void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2 size) {
+// Lighting: the skin's light is on its way, whose passes say nothing about the time of a picture.
+void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2 size, bool lighting) {
   if (!window.timer) window.timer.emplace();
   if (!window.picture) {
     window.picture = gl::Framebuffer({.size = size, .filter = gl::Filter::linear});
@@ -128,6 +129,7 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2
   window.timer->begin();
   drawScene(window, scans, w, 1, window.picture);
   window.timer->end();
+  if (lighting || (wantsSkin(w) && window.skin.shows(w) && !window.skin.complete())) return;
   const double perPixel = window.timer->seconds() / (double(size.x) * size.y);
   // Small pictures cost more per pixel: follow a rise at once, a fall slowly.
   window.secondsPerPixel = std::max(perPixel, 0.7 * window.secondsPerPixel + 0.3 * perPixel);
@@ -181,7 +183,7 @@ static void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, 
   const Key inFull = Hasher("picture").add(full).add(1).key();
   if (!lighting && (window.drawn == inFull || window.drawn == wanted)) return;
   const glm::ivec2 size = pictureSize(window, glm::vec2(whole), moving);
-  redraw(window, scans, workspace, size);
+  redraw(window, scans, workspace, size, lighting);
   // A draft that has all pixels is the full picture.
   window.drawn = size == whole ? inFull : wanted;
   if (wantsSkin(workspace) && window.skin.shows(workspace))
