@@ -86,8 +86,9 @@ void main() {
 
   // The film lies in hollows first and comes in flakes.
   float hollow = clamp(1.3 * (1.0 - open) - 2.0 * convex, -0.3, 1.0);
-  float film = vernix <= 0.0 ? 0.0 : smoothstep(0.0, 0.35, 1.7 * vernix - 0.95 + 0.6 * hollow + 0.5 * fractal(p + 300.0, 5.0));
-  colour = mix(colour, vernixAlbedo, 0.85 * film);
+  float cover = 1.6 * vernix - 0.8 + 0.7 * hollow + 0.45 * fractal(p + 300.0, 14.0) + 0.3 * fractal(p + 600.0, 3.0);
+  float film = vernix <= 0.0 ? 0.0 : smoothstep(-0.25, 0.75, cover);
+  colour = mix(colour, vernixAlbedo, 0.8 * film);
 
   float oil = 0.15 * fractal(p + 400.0, 5.0) - 0.6 * clamp(convex, 0.0, 0.15);
   float m = clamp(roughness * (1.0 + oil), 0.08, 0.6);

@@ -1,5 +1,6 @@
 // Golden pictures: each folder of tests/golden is a case that runs through the command line.
-//   arguments.txt  words for `sonoskin render`, without --recipe and --out
+//   arguments.txt  words for `sonoskin render`, without --recipe and --out; @truth is the surface of a small phantom, which
+//                  has ears and a back
 //   recipe.json    its parameters
 //   expected.png   what it gave when somebody last looked at it
 // A failure leaves actual.png and difference.png (eight times as strong) in build/<preset>/golden/<case>.
@@ -33,6 +34,15 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
+// The surface behind a small phantom's scan.
+std::string phantomTruth(const fs::path& folder) {
+  const fs::path truth = folder / "truth.ply";
+  const ProgramResult made = sonoskin({"phantom", "--phantom.dims", "156x85x62", "--out",
+                                       (folder / "scan.nrrd").string(), "--truth", truth.string()});
+  EXPECT_EQ(made.status, 0) << made.err;
+  return truth.string();
+}
+
 class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, PictureIsAsExpected) {
@@ -41,7 +51,8 @@ TEST_P(Golden, PictureIsAsExpected) {
   fs::remove_all(results);
   fs::create_directories(results);
   std::vector<std::string> arguments = {"render"};
-  for (const std::string& word : words(fileText(folder / "arguments.txt"))) arguments.push_back(word);
+  for (const std::string& word : words(fileText(folder / "arguments.txt")))
+    arguments.push_back(word == "@truth" ? phantomTruth(results) : word);
   const std::string actual = (results / "actual.png").string();
   arguments.insert(arguments.end(), {"--recipe", (folder / "recipe.json").string(), "--out", actual});
   const ProgramResult result = sonoskin(arguments);
