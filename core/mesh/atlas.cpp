@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/mesh/atlas_charts.h"
 #include "core/mesh/atlas_folds.h"
-#include "core/mesh/atlas_joins.h"
 #include "core/mesh/atlas_pack.h"
 #include "core/mesh/atlas_skirts.h"
 
@@ -90,9 +89,11 @@ void placeSkirts(const Mesh& mesh, const std::array<ChartAxis, kChartAxes>& axes
 
 Charts findCharts(const Facets& facets, const AtlasOptions& options,
                   const std::array<ChartAxis, kChartAxes>& axes, const Progress& progress) {
-  // mm²; surfaces that are small as a whole have smaller charts.       [skin specification, section 4.2]
-  const double area = facets.area(), smallest = std::min(std::max(60., area / 250), area / 50),
-               tiny = std::min(6., area / 500);
+  // mm²; surfaces that are small as a whole have smaller charts. Smaller ones than in the specification: merged into a
+  // neighbour they are seen from the side or turned over, and light that is blurred there is wrong by far more than at a
+  // few more seams.                                                    [skin specification, section 4.2; sizes: ours]
+  const double area = facets.area(), smallest = std::min(std::max(18., area / 800), area / 150),
+               tiny = std::min(0.6, area / 5000);
   const std::vector<glm::vec3> normals =
       smoothNormals(facets, float(options.normalLength), progress.part(0, 0.4));
   const std::vector<std::uint32_t> labels = labelTriangles(facets, normals, axes, progress.part(0.4, 0.5));
@@ -101,15 +102,6 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
   Charts charts = connectedCharts(facets, labels, axisOfLabel, progress.part(0.5, 0.6));
   mergeSmallCharts(facets, axes, smallest, tiny, charts);
   splitFolds(facets, normals, axes, tiny, charts, progress.part(0.6, 0.9));
-  // Rather a little overlap than many charts.
-  constexpr std::size_t kEnough = 56;
-  JoinLimits limits{smallest, 0.02, area / 4000};
-  joinCharts(facets, normals, axes, limits, charts);
-  for (int round = 0; round < 6 && charts.size() > kEnough; ++round) {
-    limits.share = std::min(0.2, 2 * limits.share);
-    joinCharts(facets, normals, axes, limits, charts);
-    limits.smallest *= 2;
-  }
   return charts;
 }
 

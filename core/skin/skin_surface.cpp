@@ -37,6 +37,12 @@ void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& su
 
 SkinQuality fullQuality() { return {}; }
 
+SkinQuality pictureQuality() {
+  SkinQuality quality = fullQuality();
+  quality.points = true;
+  return quality;
+}
+
 SkinQuality lightQuality() {
   SkinQuality quality;
   quality.triangles = 100000;

@@ -14,6 +14,8 @@ namespace sonoskin {
 //   shadowSize      texels along the side of each light's depth map
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2
+//   points          light spreads from point to point on the surface instead of by blurs in the atlas: right in folds and
+//                   across charts too, but on the CPU
 //   ownCoordinates  whether a mesh's own texture coordinates are used, where it has any and they are good enough
 struct SkinQuality {
   int triangles = 0;
@@ -21,11 +23,13 @@ struct SkinQuality {
   int shadowSize = 2048;
   int shadowTaps = 32;
   int detailLayers = 2;
+  bool points = false;
   bool ownCoordinates = false;
 };
 
-// fullQuality: for graphics cards and finished pictures; lightQuality: for software renderers.
+// fullQuality: for graphics cards; lightQuality: for software renderers; pictureQuality: for finished pictures.
 SkinQuality fullQuality();
+SkinQuality pictureQuality();
 SkinQuality lightQuality();
 
 // SkinSurface: a mesh made ready to be shown as skin.

@@ -13,7 +13,7 @@ namespace sonoskin {
 // SkinPictureOptions: how skin is shown in a finished picture.
 //   reference   light is spread by integration over the surface instead of blurs in the atlas: exact and slow
 struct SkinPictureOptions {
-  SkinQuality quality = fullQuality();
+  SkinQuality quality = pictureQuality();
   SkinPass pass = SkinPass::skin;
   bool reference = false;
 };

@@ -34,9 +34,17 @@ Regions regions(vec3 p, float convex) {
     vec3 away = p - middle;
     float along = dot(away, side) / (1.08 * halfWidth);
     float over = length(away - dot(away, side) * side) / (0.52 * halfWidth);
+    // A hand before the mouth is no lip.
+    float before = 0.0;
+    if (eyesSet > 0.0) {
+      vec3 upward = 0.5 * (rightEye + leftEye) - middle;
+      vec3 forward = normalize(cross(side, upward));
+      if (noseSet > 0.0 && dot(noseTip - middle, forward) < 0.0) forward = -forward;
+      before = smoothstep(0.35, 0.6, dot(away, forward) / halfWidth);
+    }
     // Lips narrow toward the corners; their line wavers a little.
     float edge = over / max(1.0 - along * along, 0.05) + 0.15 * noise(p / 1.7);
-    r.lips = abs(along) < 1.0 ? 1.0 - smoothstep(0.75, 1.15, edge) : 0.0;
+    r.lips = abs(along) < 1.0 ? (1.0 - smoothstep(0.75, 1.15, edge)) * (1.0 - before) : 0.0;
   }
   if (eyesSet > 0.0) {
     float apart = distance(rightEye, leftEye), lid = 0.27 * apart;
