@@ -29,7 +29,7 @@ struct BatchOptions {
   bool keepClassified = false, keepThinned = false, keepPoints = false;
   glm::ivec2 pictureSize{1280, 960};
   Bake bake = Bake::none;
-  SkinQuality skinQuality = fullQuality();
+  SkinQuality skinQuality = pictureQuality();
   gl::Backend backend = gl::Backend::egl;
 };
 

@@ -33,7 +33,7 @@ void addQualityOption(CLI::App& command, SkinQuality& quality) {
   const auto store = [&quality](const std::string& name) {
     if (name != "full" && name != "light")
       throw Error(fmt::format("--quality {}: expected full or light", name), Error::Kind::usage);
-    quality = name == "full" ? fullQuality() : lightQuality();
+    quality = name == "full" ? pictureQuality() : lightQuality();
   };
   command
       .add_option_function<std::string>(

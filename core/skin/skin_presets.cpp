@@ -99,7 +99,7 @@ void glow(SkinOptions& skin, LightOptions& light) {
   skin.translucency = 1.5;
   light.kind = LightKind::inside;
   light.distance = 0;
-  light.strength = 3;
+  light.strength = 9;
   light.warmth = 3000;
   light.fill = 0.05;
   light.rim = 0.2;
@@ -124,7 +124,7 @@ void clay(SkinOptions& skin, LightOptions&) {
 }
 
 // The coefficients of marble of Jensen et al. 2001.
-void marble(SkinOptions& skin, LightOptions&) {
+void marble(SkinOptions& skin, LightOptions& light) {
   lifeless(skin);
   skin.colour = SkinColour::plain;
   skin.profile = ScatterProfile::custom;
@@ -132,6 +132,9 @@ void marble(SkinOptions& skin, LightOptions&) {
   skin.scattering = {2.19, 2.62, 3.00};
   skin.gloss = 0.6;
   skin.roughness = 0.15;
+  light.strength = 0.8;  // white needs no more
+  light.surround = 0.15;
+  light.exposure = -0.4;
 }
 
 constexpr std::array kPresets{

@@ -14,7 +14,7 @@ namespace sonoskin {
 //   light    the light that has gone through the skin as well, which is then not lit again; without it colour, normals
 //            (pores and fine lines) and roughness
 struct BakeOptions {
-  SkinQuality quality = fullQuality();
+  SkinQuality quality = pictureQuality();
   bool light = false;
 };
 
