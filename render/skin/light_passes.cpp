@@ -147,9 +147,10 @@ void LightPasses::run(const GpuSkin& surface) {
       break;
     case kCombine:
       combine(surface, 0, diffused_);
-      firstWeight_ = surface.surface()->pointBased || quality_.points || BlurLevels::sharpFirst(skin_.diffusion)
-                         ? glm::vec3(skin_.diffusion.weights[0])
-                         : glm::vec3(0);
+      firstWeight_ =
+          surface.surface()->pointBased || quality_.points || BlurLevels::sharpFirst(skin_.diffusion)
+              ? glm::vec3(skin_.diffusion.weights[0])
+              : glm::vec3(0);
       reference_ = false;
       done_ = wanted_;
       next_ = kDone;
@@ -244,7 +245,8 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   const auto& d = skin_.diffusion;
   for (int i = 0; i < kLevels; ++i) {
     bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
-    const bool sharp = i == 0 && (points || quality_.points || BlurLevels::sharpFirst(d));  // the final pass adds it
+    const bool sharp =
+        i == 0 && (points || quality_.points || BlurLevels::sharpFirst(d));  // the final pass adds it
     p.set(fmt::format("weights[{}]", i).c_str(), sharp ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
   }
   for (int i = 0; i < 3; ++i) {
