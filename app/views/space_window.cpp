@@ -16,11 +16,11 @@
 namespace sonoskin::ui {
 namespace {
 
-constexpr double kMovingBudget = 0.045, kRestingBudget = 2;  // seconds for one picture
-constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;   // share of the pixels along a side
-constexpr float kCropMargin = 5;                             // mm around the surface points
-constexpr double kWheelRests = 0.25;                         // seconds without a turn
-constexpr double kPreparingSeconds = 0.06;                   // between looks at how far the skin is prepared
+constexpr double kMovingBudget = 0.045, kRestingBudget = 2, kSmoothBudget = 0.6;  // seconds for one picture
+constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;  // share of the pixels along a side
+constexpr float kCropMargin = 5;                            // mm around the surface points
+constexpr double kWheelRests = 0.25;                        // seconds without a turn
+constexpr double kPreparingSeconds = 0.06;                  // between looks at how far the skin is prepared
 
 bool showsMesh(const Workspace& w) {
   return w.view.content == SpaceContent::mesh && w.session.results().mesh;
@@ -119,17 +119,23 @@ glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
 }
 
+// Whether a surface that rests can have four samples per pixel, so that its outline is no staircase.
+bool smoothEdges(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
+  return showsMesh(w) && 4 * window.secondsPerPixel * double(size.x) * double(size.y) < kSmoothBudget;
+}
+
 // Lighting: the skin's light is on its way, whose passes say nothing about the time of a picture.
-void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2 size, bool lighting) {
+void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, glm::ivec2 size, int samples,
+            bool lighting) {
   if (!window.timer) window.timer.emplace();
   if (!window.picture) {
     window.picture = gl::Framebuffer({.size = size, .filter = gl::Filter::linear});
   }
   window.picture.fit(size);
   window.timer->begin();
-  drawScene(window, scans, w, 1, window.picture);
+  drawScene(window, scans, w, samples, window.picture);
   window.timer->end();
-  if (lighting || (wantsSkin(w) && window.skin.shows(w) && !window.skin.complete())) return;
+  if (samples > 1 || lighting || (wantsSkin(w) && window.skin.shows(w) && !window.skin.complete())) return;
   const double perPixel = window.timer->seconds() / (double(size.x) * size.y);
   // Small pictures cost more per pixel: follow a rise at once, a fall slowly.
   window.secondsPerPixel = std::max(perPixel, 0.7 * window.secondsPerPixel + 0.3 * perPixel);
@@ -175,19 +181,26 @@ void drawAxes(const PaneInput& pane, const Workspace& w) {
 
 }  // namespace
 
-// Draws the picture anew where what it shows has changed, or while the skin's light is on its way.
-static void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole, bool moving,
+// Draws the picture anew where what it shows has changed, or while the skin's light is on its way. Returns whether its edges
+// wait for smoothing.
+static bool refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole, bool moving,
                     bool lighting) {
   const Key full = pictureKey(window, workspace, whole);
-  const Key wanted = Hasher("picture").add(full).add(moving ? 0 : 1).key();
-  const Key inFull = Hasher("picture").add(full).add(1).key();
-  if (!lighting && (window.drawn == inFull || window.drawn == wanted)) return;
+  const auto key = [&](int kind) { return Hasher("picture").add(full).add(kind).key(); };
+  const Key draft = key(0), inFull = key(1), smooth = key(2);
   const glm::ivec2 size = pictureSize(window, glm::vec2(whole), moving);
-  redraw(window, scans, workspace, size, lighting);
-  // A draft that has all pixels is the full picture.
-  window.drawn = size == whole ? inFull : wanted;
+  // A draft that has all pixels is the full picture; edges are smoothed when that is there.
+  const bool smoothly =
+      !moving && !lighting && window.drawn == inFull && smoothEdges(window, workspace, whole);
+  const Key wanted = smoothly ? smooth : moving ? draft : inFull;
+  const bool better = window.drawn == smooth || (!smoothly && window.drawn == inFull);
+  if (!lighting && (better || window.drawn == wanted)) return false;
+  redraw(window, scans, workspace, size, smoothly ? 2 : 1, lighting);
+  window.drawn = moving && size == whole ? inFull : wanted;
+  if (smoothly) return false;
   if (wantsSkin(workspace) && window.skin.shows(workspace))
     window.skin.note(workspace, double(size.x) * size.y / (double(whole.x) * whole.y));
+  return window.drawn == inFull && smoothEdges(window, workspace, whole);
 }
 
 bool steer(Camera& camera, const PaneInput& pane) {
@@ -228,7 +241,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   const bool lighting = skin && window.skin.shows(workspace) && !window.skin.complete();
   const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt || lighting;
-  refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
+  const bool rough = refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
 
   const bool lit = skin && window.skin.shows(workspace) && window.skin.complete();
   workspace.view.skin.status.settled = lit && !moving;
@@ -238,7 +251,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
-  if (lighting || (skin && window.skin.shows(workspace) && !lit)) return 0;
+  if (lighting || (skin && window.skin.shows(workspace) && !lit) || (rough && !moving)) return 0;
   if (skin && window.skin.preparing()) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }
