@@ -17,6 +17,7 @@ layout(location = 2) out vec4 thin;        // exp(-k depth) as each light sees i
 
 const float kThickness = 0.2;  // 1/mm
 const float kNothing = 50.0;   // mm: as good as opaque
+const int kLooks = TAPS < 16 ? 4 : 8;  // for what stands in the way, and for depth
 
 vec3 inMap(int i, vec3 p) {
   vec4 place = lights[i].toMap * vec4(p, 1.0);
@@ -38,8 +39,8 @@ float shadow(int i, sampler2D depths, vec3 p, vec3 n, float cosine) {
   vec3 place = inMap(i, p + n * lights[i].texel * (0.6 + 1.6 * sine));
   float here = mapDistance(i, place.z), width = lights[i].texel * float(textureSize(depths, 0).x);
   float search = lights[i].softness * 12.0 / width, sum = 0.0, count = 0.0;
-  for (int k = 0; k < 8; ++k) {
-    float found = mapDistance(i, textureLod(depths, place.xy + search * discPoint(k, 8, 0.0), 0.0).r);
+  for (int k = 0; k < kLooks; ++k) {
+    float found = mapDistance(i, textureLod(depths, place.xy + search * discPoint(k, kLooks, 0.0), 0.0).r);
     if (found < here) {
       sum += here - found;
       count += 1.0;
@@ -63,14 +64,14 @@ float thickness(int i, sampler2D depths, sampler2D places, sampler2D exits, vec3
   vec3 entryNormal = normalize(textureLod(normalMap, entry, 0.0).xyz);
   float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(-dot(entryNormal, n), 0.0, 1.0));
   float here = mapDistance(i, place.z), width = lights[i].texel * float(textureSize(depths, 0).x), sum = 0.0;
-  for (int k = 0; k < 8; ++k) {
-    vec2 near = place.xy + 1.0 / width * discPoint(k, 8, 0.0);
+  for (int k = 0; k < kLooks; ++k) {
+    vec2 near = place.xy + 1.0 / width * discPoint(k, kLooks, 0.0);
     float depth = textureLod(depths, near, 0.0).r;
     float d = max(here - mapDistance(i, depth), 0.0) * slant;
     float apart = here - mapDistance(i, textureLod(exits, near, 0.0).r);  // mm
     sum += depth < 1.0 ? exp(-kThickness * d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
   }
-  return sum / 8.0;
+  return sum / float(kLooks);
 }
 
 void main() {
