@@ -19,13 +19,13 @@ struct LightOptions {
   double elevation = 38;
   double distance = 150;
   double strength = 1.15;
-  double warmth = 5000;
+  double warmth = 5400;
   double softness = 5;
   double fill = 0.25;
   double rim = 0.5;
   double surround = 0.27;
   bool shadows = true;
-  double exposure = 0;
+  double exposure = 0.25;
 
   bool operator==(const LightOptions&) const = default;
 };
