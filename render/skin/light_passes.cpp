@@ -118,6 +118,14 @@ bool LightPasses::step(const GpuSkin& surface) {
   return true;
 }
 
+bool LightPasses::byPoints(const GpuSkin& surface) const {
+  return surface.surface()->pointBased || quality_.points;
+}
+
+bool LightPasses::firstIsLeft(const GpuSkin& surface) const {
+  return byPoints(surface) || BlurLevels::sharpFirst(skin_.diffusion);
+}
+
 void LightPasses::run(const GpuSkin& surface) {
   switch (next_) {
     case kMaterial:
@@ -133,7 +141,7 @@ void LightPasses::run(const GpuSkin& surface) {
       next_ = kBlur;
       break;
     case kBlur:
-      if (surface.surface()->pointBased || quality_.points) {
+      if (byPoints(surface)) {
         spreadPoints(surface);
         nextLevel_ = kLevels;
       } else {
@@ -147,10 +155,7 @@ void LightPasses::run(const GpuSkin& surface) {
       break;
     case kCombine:
       combine(surface, 0, diffused_);
-      firstWeight_ =
-          surface.surface()->pointBased || quality_.points || BlurLevels::sharpFirst(skin_.diffusion)
-              ? glm::vec3(skin_.diffusion.weights[0])
-              : glm::vec3(0);
+      firstWeight_ = firstIsLeft(surface) ? glm::vec3(skin_.diffusion.weights[0]) : glm::vec3(0);
       reference_ = false;
       done_ = wanted_;
       next_ = kDone;
@@ -245,9 +250,8 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   const auto& d = skin_.diffusion;
   for (int i = 0; i < kLevels; ++i) {
     bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
-    const bool sharp =
-        i == 0 && (points || quality_.points || BlurLevels::sharpFirst(d));  // the final pass adds it
-    p.set(fmt::format("weights[{}]", i).c_str(), sharp ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
+    const bool left = i == 0 && firstIsLeft(surface);
+    p.set(fmt::format("weights[{}]", i).c_str(), left ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
   }
   for (int i = 0; i < 3; ++i) {
     bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin(i));

@@ -63,6 +63,9 @@ class LightPasses {
  private:
   enum Pass { kMaterial, kLightMaps, kIrradiance, kBlur, kThin, kCombine, kDone };
   void run(const GpuSkin& surface);
+  // byPoints: whether light spreads from point to point; firstIsLeft: whether the final pass adds the first Gaussian.
+  bool byPoints(const GpuSkin& surface) const;
+  bool firstIsLeft(const GpuSkin& surface) const;
   void fit(const GpuSkin& surface);
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
