@@ -5,7 +5,7 @@
 
 namespace sonoskin {
 
-// LightKeys: fingerprints of what each of the light passes depends on, in their order; each holds those before it.
+// LightKeys: fingerprints of what each of the light passes depends on; `irradiance` holds the two before it, `blur` all.
 struct LightKeys {
   Key material, lightMaps, irradiance, blur;
   friend bool operator==(const LightKeys&, const LightKeys&) = default;

@@ -13,8 +13,8 @@ namespace sonoskin {
 
 // SkinLight: one light on the skin.
 //   position    far: unit direction toward it; near, inside: world mm
-//   colour      far: irradiance of a surface that faces it; near, inside: the same at `reach` mm from it
-//   softness    radians, the radius of the light as seen from the skin
+//   colour      irradiance / pi of a surface that faces it (white shows this colour); near, inside: at `reach` mm from it
+//   softness    tangent of the light's radius as seen from the skin
 struct SkinLight {
   LightKind kind = LightKind::far;
   glm::vec3 position{0, 0, 1};

@@ -70,8 +70,8 @@ class GpuSkin {
 //   supersampling  1 for interaction; 2 for pictures
 //   pass           what is shown
 //   shownPart      left and right limit of the picture's columns that are drawn, 0 to 1: split views draw twice
-//   steps          how many of the light passes may run now; those that are left run with the next draws, and what is
-//                  shown meanwhile is the last complete light
+//   steps          how many of the light passes may run now; those that are left run with the next draws, and the light
+//                  that has spread is the last complete one meanwhile
 struct SkinViewInput {
   const GpuSkin& surface;
   const Camera& camera;

@@ -18,7 +18,7 @@ vec3 shownOf(vec4 value) {
 #elif MAP == 1
   return value.rgb;
 #elif MAP == 2
-  float one = channel < 4 ? value[channel] * scale : 0.0;
+  float one = value[channel] * scale;
   return vec3(one * one);
 #elif MAP == 3
   vec3 half_ = 0.5 + 0.5 * normalize(value.xyz + 1e-6);
