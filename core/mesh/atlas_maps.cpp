@@ -37,11 +37,42 @@ struct Baker {
   void write(std::size_t texel, std::uint32_t triangle, const glm::vec3& w, float coverage) const {
     const auto& [i, j, k] = mesh.triangles[triangle];
     const auto mix = [&](const auto& of) { return w.x * of[i] + w.y * of[j] + w.z * of[k]; };
+    maps.triangle[texel] = triangle;
     maps.position[texel] = glm::vec4(mix(mesh.positions), coverage);
     const glm::vec3 normal = unitOr(mix(mesh.normals), mesh.normals[i]);
     maps.normal[texel] = glm::vec4(normal, mix(traits.curvature));
     const glm::vec4 sky = mix(traits.occlusion);
     maps.occlusion[texel] = glm::vec4(unitOr(glm::vec3(sky), normal), std::clamp(sky.w, 0.f, 1.f));
+  }
+
+  // continues: whether a texel of skirt shows what lies beside a point of a triangle.
+  bool continues(std::size_t texel, const glm::vec3& point, const glm::vec3& normal, float farthest) const {
+    return glm::distance(glm::vec3(maps.position[texel]), point) < farthest &&
+           glm::dot(glm::vec3(maps.normal[texel]), normal) > 0.1f;
+  }
+  // goOn: a texel beyond a triangle's side gets the triangle's plane, unless the surface itself goes on there. At most a
+  // few texels away from the side, for steep triangles go far.
+  //   onSide   weights of the nearest point of the side
+  void goOn(std::size_t texel, std::uint32_t triangle, const Corners& corners, const glm::vec3& onSide,
+            float texelSize) const {
+    constexpr float kFarthest = 5, kFarthestSkirt = 7;  // texels
+    if (maps.position[texel].w == 1) return;
+    const auto& [i, j, k] = mesh.triangles[triangle];
+    const auto mix = [&](const std::vector<glm::vec3>& of, const glm::vec3& w) {
+      return w.x * of[i] + w.y * of[j] + w.z * of[k];
+    };
+    const glm::vec3 side = mix(mesh.positions, onSide);
+    if (maps.position[texel].w > 0 &&
+        continues(texel, side, mix(mesh.normals, onSide), kFarthestSkirt * texelSize))
+      return;
+    write(texel, triangle, onSide, 0.5f);
+    const Barycentric plane(corners);
+    if (!plane.valid()) return;
+    const auto width = std::size_t(maps.size.x);
+    const glm::vec2 middle(float(texel % width) + 0.5f, float(texel / width) + 0.5f);
+    const glm::vec3 beyond = mix(mesh.positions, plane.at(middle)) - side;
+    const float way = glm::length(beyond), farthest = kFarthest * texelSize;
+    maps.position[texel] = glm::vec4(side + (way < farthest ? 1 : farthest / way) * beyond, 0.5f);
   }
 };
 
@@ -85,21 +116,15 @@ void drawTriangles(const Baker& baker, const Atlas& atlas, const Progress& progr
       progress);
 }
 
-// The position where a triangle's plane goes on beyond a point of its side; at most a few texels away from it, for steep
-// triangles go far.
-glm::vec3 goOn(const Mesh& mesh, const Triangle& triangle, const Barycentric& plane, const glm::vec2& texel,
-               const glm::vec3& onSide, float farthest) {
-  if (!plane.valid()) return onSide;
-  const glm::vec3 w = plane.at(texel);
-  const glm::vec3 beyond = w.x * mesh.positions[triangle[0]] + w.y * mesh.positions[triangle[1]] +
-                           w.z * mesh.positions[triangle[2]] - onSide;
-  const float way = glm::length(beyond);
-  return way < farthest ? onSide + beyond : onSide + beyond * (farthest / way);
-}
+// The side whose rim reaches nearest to a texel.
+struct NearestSide {
+  float distance = std::numeric_limits<float>::max();
+  const RimSide* side = nullptr;
+  glm::vec3 weights{0};
+};
 
-// The surface just beyond the ends of charts, where nothing is drawn yet.
+// The surface just beyond the ends of charts, where nothing is drawn yet, or a skirt that shows another place.
 void drawRims(const Baker& baker, const Atlas& atlas, const Facets& facets, const Progress& progress) {
-  constexpr float kFarthest = 5;  // texels
   const std::vector<RimSide> sides = rimSides(facets, atlas);
   std::vector<Corners> corners;
   for (const RimSide& side : sides) corners.push_back(atlas.corners[side.triangle]);
@@ -108,26 +133,18 @@ void drawRims(const Baker& baker, const Atlas& atlas, const Facets& facets, cons
       bands.count(),
       [&](std::ptrdiff_t b) {
         const glm::ivec2 rows = bands.rows(int(b));
-        const std::size_t first = baker.index(0, rows[0]), last = baker.index(0, rows[1]);
-        std::vector<float> nearest;
-        for (std::size_t i = first; i < last; ++i)
-          nearest.push_back(baker.maps.position[i].w > 0 ? -1 : std::numeric_limits<float>::max());
-        for (const std::uint32_t* i = bands.begin(int(b)); i != bands.end(int(b)); ++i) {
-          const RimSide& side = sides[*i];
-          const Barycentric plane(corners[*i]);
-          forEachRimTexel(corners[*i], side.corner, atlas.size.x, rows,
+        const std::size_t first = baker.index(0, rows[0]);
+        std::vector<NearestSide> nearest(baker.index(0, rows[1]) - first);
+        for (const std::uint32_t* i = bands.begin(int(b)); i != bands.end(int(b)); ++i)
+          forEachRimTexel(corners[*i], sides[*i].corner, atlas.size.x, rows,
                           [&](int x, int y, float distance, const glm::vec3& w) {
-                            const std::size_t texel = baker.index(x, y);
-                            if (distance >= nearest[texel - first]) return;
-                            nearest[texel - first] = distance;
-                            baker.write(texel, side.triangle, w, 0.5f);
-                            glm::vec4& position = baker.maps.position[texel];
-                            const glm::vec2 centre(float(x) + 0.5f, float(y) + 0.5f);
-                            position = glm::vec4(goOn(baker.mesh, baker.mesh.triangles[side.triangle], plane,
-                                                      centre, glm::vec3(position), kFarthest * atlas.texel),
-                                                 0.5f);
+                            NearestSide& side = nearest[baker.index(x, y) - first];
+                            if (distance < side.distance) side = {distance, &sides[*i], w};
                           });
-        }
+        for (std::size_t n = 0; n < nearest.size(); ++n)
+          if (nearest[n].side)
+            baker.goOn(first + n, nearest[n].side->triangle, atlas.corners[nearest[n].side->triangle],
+                       nearest[n].weights, atlas.texel);
       },
       progress);
 }
@@ -146,7 +163,8 @@ AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& 
                  std::vector<glm::vec4>(texels, glm::vec4(0)),
                  std::vector<glm::vec4>(texels, glm::vec4(0)),
                  std::vector<glm::vec4>(texels, glm::vec4(0)),
-                 {}};
+                 {},
+                 std::vector<std::uint32_t>(texels, 0)};
   const Baker baker{mesh, traits, maps};
   drawTriangles(baker, atlas, progress.part(0, 0.5));
   drawRims(baker, atlas, Facets(mesh), progress.part(0.5, 0.6));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -13,10 +14,12 @@ namespace sonoskin {
 //   normal     xyz: unit; w: mean curvature in 1/mm, positive where the surface is convex
 //   occlusion  xyz: unit, the mean direction of open sky; w: 0 (closed in) to 1 (open)
 //   stretch    mm per texel along u and v, from positions smoothed over 0.5 mm; never 0   [skin specification, section 5]
+//   triangle   of the mesh that the texel shows
 struct AtlasMaps {
   glm::ivec2 size{0};
   std::vector<glm::vec4> position, normal, occlusion;
   std::vector<glm::vec2> stretch;
+  std::vector<std::uint32_t> triangle;
 };
 
 // SurfaceTraits: what the maps hold of each vertex besides its place.

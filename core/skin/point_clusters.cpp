@@ -10,7 +10,7 @@ namespace sonoskin {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr float kFacing = 0.5f;  // cosine of normals of one bunch to its chosen point's
+constexpr float kFacing = 0.9f;  // cosine of normals of one bunch to its chosen point's
 
 // Chooses points and gives every point the nearest chosen one, in one pass: a point that no earlier choice has reached
 // is the next choice. Returns their number.

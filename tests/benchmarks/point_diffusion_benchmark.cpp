@@ -38,11 +38,17 @@ void pointsBuilt(benchmark::State& state) {
   }
 }
 
+// All levels at the 41,000 vertices.
 void pointsLit(benchmark::State& state) {
   const AreaPoints points = pointsOf(sampleSurface(ball(), PointDiffusion::kBaseSpacing));
   const PointDiffusion diffusion(points, literatureSkin());
   const std::vector<glm::vec4> irradiance(points.size(), glm::vec4(1));
-  for (auto _ : state) benchmark::DoNotOptimize(diffusion.diffuse(irradiance));
+  for (auto _ : state) {
+    const PointDiffusion::Levels gathered = diffusion.gather(irradiance);
+    for (int level = 1; level <= PointDiffusion::kLevels; ++level)
+      benchmark::DoNotOptimize(
+          diffusion.lightAt(level, gathered[std::size_t(level - 1)], ball().positions, ball().normals));
+  }
 }
 
 // 1000 places: per place it is a thousandth.

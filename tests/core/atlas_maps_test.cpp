@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/closest_point.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {
@@ -78,6 +79,32 @@ TEST(AtlasMaps, LookedUpBetweenTexelsGiveTheSurfaceUpToItsBorder) {
       }
 }
 
+// Skirts of folded surfaces can show another sheet beside a chart's border.
+TEST(AtlasMaps, SkirtsThatShowAnotherPlaceLeaveBordersAlone) {
+  Mesh mesh = square();
+  for (std::uint32_t v = 0; v < 4; ++v) mesh.positions.push_back(mesh.positions[v] + glm::vec3(0, 3, 0));
+  mesh.triangles.insert(mesh.triangles.end(), {{4, 5, 6}, {4, 6, 7}});
+  computeNormals(mesh);
+  Atlas atlas = buildAtlas(mesh, fromFront());
+  for (std::uint32_t t = 0; t < 2; ++t) {  // the far square is drawn all around the near one
+    Corners around = atlas.corners[t];
+    const glm::vec2 middle = 0.5f * (atlas.corners[0][0] + atlas.corners[0][2]);
+    for (glm::vec2& c : around) c = middle + 1.1f * (c - middle);
+    atlas.skirts.push_back(t + 2);
+    atlas.skirtChart.push_back(atlas.chart[t]);
+    atlas.skirtCorners.push_back(around);
+  }
+  const AtlasMaps maps = bakeAtlas(mesh, plainTraits(mesh), atlas);
+  std::size_t elsewhere = 0;
+  for (const glm::vec4& p : maps.position) elsewhere += p.w == 0.5f && p.y > 7.9f;
+  EXPECT_GT(elsewhere, 500u);  // the skirts are there
+  for (std::uint32_t t = 0; t < 2; ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_LT(glm::distance(glm::vec3(lookUp(maps, maps.position, atlas.corners[t][i])),
+                              mesh.positions[mesh.triangles[t][i]]),
+                1e-3f);
+}
+
 TEST(AtlasMaps, TexelsOfASphereLieOnItEverywhereThatAnythingIsRead) {
   const Mesh ball = test::icosphere(5, 20, {1, 2, 3});
   const Atlas atlas = buildAtlas(ball, {});
@@ -88,6 +115,12 @@ TEST(AtlasMaps, TexelsOfASphereLieOnItEverywhereThatAnythingIsRead) {
     if (maps.position[i].w == 0) continue;
     const glm::vec3 away = glm::vec3(maps.position[i]) - glm::vec3(1, 2, 3);
     EXPECT_NEAR(glm::length(away), 20, 0.25);
+    const Triangle& shown = ball.triangles[maps.triangle[i]];
+    const glm::vec3 p(maps.position[i]),
+        on = closestPointOnTriangle(p, ball.positions[shown[0]], ball.positions[shown[1]],
+                                    ball.positions[shown[2]])
+                 .position;
+    EXPECT_LT(glm::distance(p, on), maps.position[i].w == 1 ? 1e-3f : 0.75f);
     EXPECT_GT(glm::dot(glm::normalize(away), glm::vec3(maps.normal[i])), 0.99f);
     skirts += maps.position[i].w == 0.5f;
   }
@@ -130,6 +163,7 @@ TEST(AtlasMaps, SameWithAnyNumberOfThreads) {
   EXPECT_EQ(one.position, three.position);
   EXPECT_EQ(one.normal, three.normal);
   EXPECT_EQ(one.stretch, three.stretch);
+  EXPECT_EQ(one.triangle, three.triangle);
 }
 
 TEST(AtlasMaps, NeedNormalsAndTraitsAndCanBeCancelled) {

@@ -23,7 +23,7 @@ std::vector<glm::vec4> fourOf(const std::vector<glm::vec3>& irradiance) {
   return four;
 }
 
-// A surface and its hierarchy, and the sum of all six terms at places on it; the first is given.
+// A surface and its points, and the sum of all six terms at places on it; the first is given.
 struct Lit {
   explicit Lit(const Mesh& mesh, double spacing)
       : samples(sampleSurface(mesh, spacing)), diffusion(pointsOf(samples), literatureSkin()) {}
@@ -32,11 +32,11 @@ struct Lit {
   std::vector<glm::vec3> at(const std::vector<DiffusionTarget>& targets, F&& irradiance) const {
     std::vector<glm::vec3> positions, normals;
     for (const DiffusionTarget& t : targets) positions.push_back(t.position), normals.push_back(t.normal);
-    const auto levels = diffusion.diffuse(fourOf(test::irradianceOn(samples, irradiance)));
+    const auto levels = diffusion.gather(fourOf(test::irradianceOn(samples, irradiance)));
     std::vector<DiffusedLevels> found(targets.size());
     for (std::size_t t = 0; t < targets.size(); ++t) found[t][0] = targets[t].irradiance;
     for (int i = 1; i <= PointDiffusion::kLevels; ++i) {
-      const auto light = multiply(diffusion.rowsTo(i, positions, normals), levels[std::size_t(i - 1)]);
+      const auto light = diffusion.lightAt(i, levels[std::size_t(i - 1)], positions, normals);
       for (std::size_t t = 0; t < targets.size(); ++t) found[t][std::size_t(i)] = glm::vec3(light[t]);
     }
     std::vector<glm::vec3> sums;
@@ -111,12 +111,12 @@ TEST(PointDiffusion, TerminatorOfASphere) {
   }
 }
 
-TEST(PointDiffusion, FollowsBruteForce) {
-  const Mesh mesh = test::icosphere(5, 20, {3, 4, 5});  // 20,480 triangles, 5,000 mm^2
+// RMS of red between the points' light and the integral over the surface.
+double errorOn(const Mesh& mesh) {
   const Lit lit(mesh, 0.25);
   const auto cosine = [](const glm::vec3&, const glm::vec3& n) { return std::max(0.f, n.x); };
   std::vector<DiffusionTarget> targets;
-  for (std::size_t i = 0; i < lit.samples.size(); i += 171)
+  for (std::size_t i = 0; i < lit.samples.size(); i += lit.samples.size() / 500)
     targets.push_back(
         {lit.samples.positions[i], lit.samples.normals[i], glm::vec3(cosine({}, lit.samples.normals[i]))});
   const SurfaceSamples fine = sampleSurface(mesh, 0.11);
@@ -126,8 +126,19 @@ TEST(PointDiffusion, FollowsBruteForce) {
   double squares = 0;
   for (std::size_t t = 0; t < targets.size(); ++t)
     squares += std::pow(double(found[t].x - sumOfLevels(literatureSkin(), exact[t]).x), 2);
-  EXPECT_GT(targets.size(), 500u);
-  EXPECT_LT(std::sqrt(squares / double(targets.size())), 2e-4);
+  return std::sqrt(squares / double(targets.size()));
+}
+
+TEST(PointDiffusion, FollowsBruteForce) {
+  EXPECT_LT(errorOn(test::icosphere(5, 20, {3, 4, 5})), 2e-4);  // 20,480 triangles, 5,000 mm^2
+}
+
+// A lens with an edge as narrow as a lip's: which points face the same way changes from place to place.
+TEST(PointDiffusion, FollowsBruteForceAroundNarrowEdges) {
+  Mesh lens = test::icosphere(5, 8, glm::vec3(0));
+  for (glm::vec3& p : lens.positions) p.x *= 0.3f;
+  computeNormals(lens);
+  EXPECT_LT(errorOn(lens), 4e-3);
 }
 
 // A bunch is what it says: every point in the nearest one that faces its way, at its centre of mass.
@@ -166,22 +177,6 @@ TEST(PointClusters, KeepsTheSidesOfASheetApart) {
     EXPECT_EQ(clusters.points.normals[clusters.bunch[p]], points.normals[p]);
 }
 
-TEST(SparseRows, SumsEqualADenseMatrix) {
-  const SparseRows rows = makeRows(3000, [](std::size_t row, std::vector<SparseRows::Link>& links) {
-    for (std::size_t k = 0; k < row % 4; ++k)
-      links.push_back({std::uint32_t((row * 7 + k) % 50), float(k + 1)});
-  });
-  std::vector<glm::vec4> source;
-  for (int i = 0; i < 50; ++i) source.emplace_back(float(i), 1.f, float(i * i), -1.f);
-  const auto result = multiply(rows, source);
-  ASSERT_EQ(result.size(), 3000u);
-  for (std::size_t row = 0; row < 3000; ++row) {
-    glm::vec4 expected(0);
-    for (std::size_t k = 0; k < row % 4; ++k) expected += float(k + 1) * source[(row * 7 + k) % 50];
-    EXPECT_EQ(result[row], expected) << row;
-  }
-}
-
 TEST(PointDiffusion, DoesNotDependOnThreads) {
   const Mesh mesh = test::icosphere(4, 8, glm::vec3(0));
   const auto run = [&](int threads) {
@@ -210,7 +205,7 @@ TEST(PointDiffusion, GaussiansNarrowerThanItsPointsAreLeftOut) {
 TEST(PointDiffusion, RefusesNonsenseAndCanBeCancelled) {
   test::expectError([] { PointDiffusion(AreaPoints(), literatureSkin()); }, "samples");
   const AreaPoints points = pointsOf(sampleSurface(test::plane(3, 3, 1), 0.3));
-  test::expectError([&] { PointDiffusion(points, literatureSkin()).diffuse({}); }, "irradiance");
+  test::expectError([&] { PointDiffusion(points, literatureSkin()).gather({}); }, "irradiance");
   ProgressSink sink;
   sink.cancel = true;
   EXPECT_THROW(PointDiffusion(points, literatureSkin(), Progress(sink)), Cancelled);

@@ -18,6 +18,7 @@ inline std::shared_ptr<const SkinSurface> surfaceInBlocks(const Mesh& mesh, int 
   const auto texels = std::size_t(perRow * side) * std::size_t(perRow * side);
   surface->maps.position.assign(texels, glm::vec4(0));
   surface->maps.normal.assign(texels, glm::vec4(0));
+  surface->maps.triangle.assign(texels, 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const glm::ivec2 low = side * glm::ivec2(int(t) % perRow, int(t) / perRow);
     const glm::vec2 first = glm::vec2(low) + 0.5f;
@@ -28,6 +29,7 @@ inline std::shared_ptr<const SkinSurface> surfaceInBlocks(const Mesh& mesh, int 
       for (int x = 0; x < side; ++x) {
         const float v = float(x) / length, w = float(y) / length, u = 1 - v - w;
         const auto texel = std::size_t(low.y + y) * std::size_t(perRow * side) + std::size_t(low.x + x);
+        surface->maps.triangle[texel] = std::uint32_t(t);
         surface->maps.position[texel] = glm::vec4(
             u * mesh.positions[a] + v * mesh.positions[b] + w * mesh.positions[c], u > -1e-4f ? 1.f : 0.5f);
         surface->maps.normal[texel] =

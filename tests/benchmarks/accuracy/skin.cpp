@@ -71,12 +71,12 @@ std::vector<glm::vec3> byPoints(const Mesh& mesh, const SkinPlaces& places, cons
   const PointDiffusion diffusion({samples.positions, samples.normals, samples.areas}, skin);
   std::vector<glm::vec4> irradiance;
   for (const glm::vec3& e : irradianceOf(samples, lighting)) irradiance.emplace_back(e, 1.f);
-  const PointDiffusion::Levels levels = diffusion.diffuse(irradiance);
+  const PointDiffusion::Levels levels = diffusion.gather(irradiance);
   std::vector<DiffusedLevels> found;
   for (const DiffusionTarget& t : truth.targets) found.push_back({t.irradiance});
   for (int i = 1; i <= PointDiffusion::kLevels; ++i) {
-    const SparseRows rows = diffusion.rowsTo(i, places.positions, places.normals);
-    const std::vector<glm::vec4> light = multiply(rows, levels[std::size_t(i - 1)]);
+    const std::vector<glm::vec4> light =
+        diffusion.lightAt(i, levels[std::size_t(i - 1)], places.positions, places.normals);
     for (std::size_t p = 0; p < light.size(); ++p) found[p][std::size_t(i)] = glm::vec3(light[p]);
   }
   std::vector<glm::vec3> sums;
@@ -123,6 +123,26 @@ std::string jumps(const LitAtlas& atlas, const Seams& seams) {
   }
   if (differences.empty()) return "none";
   return fmt::format("{:.4f}, {:.4f}", quantile(differences, 0.95), quantile(differences, 0.99));
+}
+
+// How far even light is from even after it has spread: over the places and both sides of the seams.
+void printFurnace(const std::shared_ptr<const SkinSurface>& surface, const SkinPlaces& places) {
+  const SkinLighting white = [](const glm::vec3&, const glm::vec3&) { return 1.f; };
+  const Seams seams = findSeams(*surface->mesh, surface->atlas);
+  std::string text;
+  for (const bool byPoints : {false, true}) {
+    const LitAtlas atlas = byPoints ? litByPoints(surface, white) : litByPasses(surface, white);
+    double worst = 0;
+    const auto look = [&](const SkinPlace& place) {
+      const glm::vec3 d = glm::abs(atlas.at(place, glm::vec3(1)) - glm::vec3(1));
+      worst = std::max(worst, double(std::max({d.x, d.y, d.z})));
+    };
+    for (const SkinPlace& place : places.places) look(place);
+    for (const auto& sides : seams.sides) look(sides[0]), look(sides[1]);
+    text += fmt::format("{} {:.5f}", byPoints ? ", points" : "blurs", worst);
+  }
+  std::printf("%.2f mm, even light, largest difference from 1 over the mesh and its seams: %s\n\n",
+              double(surface->atlas.texel), text.c_str());
 }
 
 void printHead(const SkinHead& head) {
