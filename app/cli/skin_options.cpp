@@ -33,7 +33,9 @@ void addQualityOption(CLI::App& command, SkinQuality& quality) {
   const auto store = [&quality](const std::string& name) {
     if (name != "full" && name != "light")
       throw Error(fmt::format("--quality {}: expected full or light", name), Error::Kind::usage);
+    const bool own = quality.ownCoordinates;
     quality = name == "full" ? pictureQuality() : lightQuality();
+    quality.ownCoordinates = own;
   };
   command
       .add_option_function<std::string>(
@@ -57,6 +59,9 @@ void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
   command.add_flag("--reference", options.look.reference,
                    "for skin: light is spread by integration over the surface, exact and slow");
   addQualityOption(command, options.look.quality);
+  command.add_flag("--own-coordinates", options.look.quality.ownCoordinates,
+                   "for skin: the map that a mesh file brings, where no two of its triangles lie over each "
+                   "other; else one is made");
   addBakeOption(command, options.bake);
 }
 
@@ -67,6 +72,7 @@ void checkSkinOptions(const SkinRenderOptions& options, const std::string& view,
   };
   onlyFor(options.look.pass != SkinPass::skin, "--pass");
   onlyFor(options.look.reference, "--reference");
+  onlyFor(options.look.quality.ownCoordinates, "--own-coordinates");
   onlyFor(options.bake != Bake::none, "--bake");
   checkOutputFile(out,
                   options.bake == Bake::none ? std::vector<std::string>{".png"} : texturedMeshExtensions());

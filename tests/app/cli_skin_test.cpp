@@ -1,7 +1,9 @@
 // Skin on the command line: looks, passes, quality, baked surfaces.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
@@ -96,6 +98,42 @@ TEST(CommandLineSkin, BakesASurfaceForOtherPrograms) {
   const Image lit = readPng(folder / "ball_colour.png");
   EXPECT_GE(lit.width, 128);
   EXPECT_FALSE(std::filesystem::exists(folder / "ball_normal.png"));
+}
+
+// Corners of the texture in a file that was baked.
+std::string textureCorners(const std::filesystem::path& obj) {
+  std::string lines, line;
+  for (std::istringstream text(fileText(obj)); std::getline(text, line);)
+    if (line.rfind("vt ", 0) == 0) lines += line + "\n";
+  return lines;
+}
+
+TEST(CommandLineSkin, AMeshKeepsItsOwnMapWhereAsked) {
+  const TempFolder folder;
+  // A bent strip whose map turns it by a quarter.
+  std::ofstream(folder / "strip.obj")
+      << "v 0 0 0\nv 10 0 0\nv 10 0 10\nv 0 0 10\nv 20 6 0\nv 20 6 10\n"
+         "vt 0.1 0.9\nvt 0.1 0.5\nvt 0.5 0.5\nvt 0.5 0.9\nvt 0.1 0.05\nvt 0.5 0.05\n"
+         "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 2/2 5/5 6/6\nf 2/2 6/6 3/3\n";
+  const auto baked = [&](const char* name, std::vector<std::string> more) {
+    std::vector<std::string> words{
+        "render", (folder / "strip.obj").string(), "--out", (folder / name).string(), "--bake", "colour"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = sonoskin(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return textureCorners(folder / name);
+  };
+  const std::string made = baked("made.obj", {"--quality", "light"}),
+                    own = baked("own.obj", {"--own-coordinates", "--quality", "light"});
+  EXPECT_NE(made, own);
+  EXPECT_EQ(own, baked("own2.obj", {"--quality", "light", "--own-coordinates"}));
+  // One piece as in the file: higher than wide, as its own map is.
+  std::istringstream numbers(own);
+  glm::vec2 low(1), high(0), at;
+  for (std::string vt, third; numbers >> vt >> at.x >> at.y >> third;)
+    low = glm::min(low, at), high = glm::max(high, at);
+  const Image map = readPng(folder / "own_colour.png");
+  EXPECT_NEAR((high.y - low.y) * float(map.height) / ((high.x - low.x) * float(map.width)), 0.85 / 0.4, 0.05);
 }
 
 TEST(CommandLineSkin, ARunWritesThePhantomsLandmarksAndBakes) {

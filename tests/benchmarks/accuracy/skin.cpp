@@ -162,6 +162,7 @@ void printHead(const SkinHead& head) {
         texel, s.pointBased ? "in blocks" : "atlas", s.atlas.size.x, s.atlas.size.y, double(s.atlas.texel),
         s.check.charts, 1e-3 * s.check.seamLength, 100 * s.check.overlap, 100 * s.check.uncovered,
         s.check.stretch99);
+    printFurnace(surfaces.back(), places);
   }
   std::printf(
       "| | RMS R | G | B | p95 R | p99 R | max R | near seam R | else R | jump p95, p99 |\n"
