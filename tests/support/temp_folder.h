@@ -1,10 +1,9 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -14,10 +13,10 @@ namespace sonoskin::test {
 class TempFolder {
  public:
   TempFolder() {
-    static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("sonoskin-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
+    // A name of its own: a test that crashed may have left a folder under any number.
+    std::string name = (std::filesystem::temp_directory_path() / "sonoskin-test-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("No folder for a test: " + name);
+    path_ = name;
   }
   ~TempFolder() {
     std::error_code ignored;
