@@ -61,7 +61,7 @@ TEST(BlockDiffusion, EvenLightStaysEvenInEveryTexel) {
     }
 }
 
-TEST(BlockDiffusion, KeepsItsRowsAndForgetsTheLight) {
+TEST(BlockDiffusion, KeepsItsPointsAndForgetsTheLight) {
   const auto surface = test::surfaceInBlocks(test::icosphere(3, 5, glm::vec3(0)), 6);
   const auto half = [](const glm::vec3& p, const glm::vec3&) { return p.z > 0 ? 1.f : 0.f; };
   const auto light = test::irradianceIn(*surface, half);
