@@ -24,15 +24,33 @@ Image readImage(const Framebuffer& framebuffer) {
   return image;
 }
 
-std::vector<float> readFloats(const Texture& texture, int components) {
+namespace {
+
+// Room for all texels of a texture.
+template <class T>
+std::vector<T> roomFor(const Texture& texture, std::size_t perTexel) {
   const glm::ivec3 size = texture.size();
-  std::vector<float> values(std::size_t(size.x) * std::size_t(size.y) * std::size_t(components));
+  return std::vector<T>(std::size_t(size.x) * std::size_t(size.y) * perTexel);
+}
+
+}  // namespace
+
+std::vector<float> readFloats(const Texture& texture, int components) {
+  auto values = roomFor<float>(texture, std::size_t(components));
   const bool depth = texture.description().format == Format::depth32f;
   const GLenum external = depth ? GL_DEPTH_COMPONENT : components == 1 ? GL_RED : GL_RGBA;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(texture.name(), 0, external, GL_FLOAT, GLsizei(values.size() * sizeof(float)),
                     values.data());
   return values;
+}
+
+std::vector<glm::vec4> readTexels(const Texture& texture) {
+  static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
+  auto texels = roomFor<glm::vec4>(texture, 1);
+  glGetTextureImage(texture.name(), 0, GL_RGBA, GL_FLOAT, GLsizei(texels.size() * sizeof(glm::vec4)),
+                    texels.data());
+  return texels;
 }
 
 }  // namespace sonoskin::gl

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "core/io/image.h"
@@ -13,5 +14,8 @@ Image readImage(const Framebuffer& framebuffer);
 // readFloats: the texels of a 2D colour or depth texture as floats, bottom row first, `components` per texel
 // (1 for depth and one-channel formats, 4 for RGBA).
 std::vector<float> readFloats(const Texture& texture, int components);
+
+// readTexels: the same of a texture with four components.
+std::vector<glm::vec4> readTexels(const Texture& texture);
 
 }  // namespace sonoskin::gl

@@ -208,11 +208,8 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
 }
 
 void LightPasses::spreadPoints(const GpuSkin& surface) {
-  const auto read = gl::readFloats(irradiance_.colour(0), 4);
-  std::vector<glm::vec4> irradiance(read.size() / 4);
-  for (std::size_t i = 0; i < irradiance.size(); ++i)
-    irradiance[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
-  const auto& spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion, irradiance, points_);
+  const auto& spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion,
+                                       gl::readTexels(irradiance_.colour(0)), points_);
   for (int level = 1; level < kLevels; ++level)
     levels_.set(level, spread[std::size_t(level - 1)], irradiance_.colour(0));
 }

@@ -91,7 +91,7 @@ class LightPasses {
   gl::Framebuffer material_, irradiance_, diffused_, through_;
   BlurLevels levels_;
   std::array<gl::Framebuffer, 3> thin_;
-  BlockDiffusion points_;  // for atlases that cannot be blurred
+  BlockDiffusion points_;  // for finished pictures and atlases that cannot be blurred
 };
 
 }  // namespace sonoskin

@@ -29,10 +29,7 @@ LightOptions lightsOf(const Parameters& parameters, const PictureOptions& option
 // Spreads the view's light by integration instead of blurs.
 void integrate(const SkinSurface& surface, const SkinOptions& skin, SkinView& view,
                const Progress& progress) {
-  const auto read = gl::readFloats(view.level(0), 4);
-  std::vector<glm::vec4> irradiance(read.size() / 4);
-  for (std::size_t i = 0; i < irradiance.size(); ++i)
-    irradiance[i] = {read[4 * i], read[4 * i + 1], read[4 * i + 2], read[4 * i + 3]};
+  const std::vector<glm::vec4> irradiance = gl::readTexels(view.level(0));
   // The literature's skin has no medium behind its Gaussians, and a width is no property of one.
   const bool gaussians = skin.profile == ScatterProfile::adult || skin.width != 1;
   view.setDiffused(gaussians ? referenceDiffusion(surface, diffusionOf(skin), irradiance, progress)

@@ -36,11 +36,7 @@ LitAtlas litByPasses(std::shared_ptr<const SkinSurface> surface, const SkinLight
   plain.colour = SkinColour::plain;
   plain.mix = plain.gloss = plain.translucency = 0;
   view.spread(gpu, plain, irradianceMap(*surface, lighting));
-  const std::vector<float> values = gl::readFloats(view.diffused(), 4);
-  LitAtlas atlas{std::move(surface), {}};
-  for (std::size_t i = 0; i < values.size(); i += 4)
-    atlas.diffused.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
-  return atlas;
+  return {std::move(surface), gl::readTexels(view.diffused())};
 }
 
 LitAtlas litByPoints(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting) {
