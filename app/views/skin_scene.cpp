@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/error.h"
@@ -71,14 +73,15 @@ bool SkinScene::shows(const Workspace& workspace) const {
 }
 
 std::string SkinScene::caption() const {
-  if (!worker_) return {};
-  const Worker::Status status = worker_->status();
-  return status.busy ? fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction) : "";
+  for (const Worker::Status& status : {worker_ ? worker_->status() : Worker::Status{}, present_.refiner.status(),
+                                       kept_.refiner.status()})
+    if (status.busy) return fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction);
+  return {};
 }
 
 void SkinScene::addTo(Hasher& hasher, const Workspace& workspace) const {
   const SkinShow& show = workspace.view.skin;
-  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get()));
+  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get())).add(refined_);
   addSettings(hasher, presentSettings(workspace));
   hasher.add(show.pass).add(show.compare).add(show.divider);
   if (show.compare == SkinCompare::settings && show.kept) addSettings(hasher, *show.kept);
@@ -86,38 +89,66 @@ void SkinScene::addTo(Hasher& hasher, const Workspace& workspace) const {
 
 void SkinScene::draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target) {
   if (!surface_) surface_.emplace();
-  if (!view_) view_.emplace();
+  if (!present_.view) present_.view.emplace();
   surface_->set(prepared_);
   const SkinShow& show = workspace.view.skin;
   const HomeFrame home = homeOf(workspace);
   const SkinLook look = lookOf(presentSettings(workspace), home, surface_->box());
   SkinViewInput input{
       .surface = *surface_, .camera = workspace.view.camera, .look = look, .quality = quality()};
+  input.quality.points = finished;
   input.supersampling = supersampling;
   input.pass = show.pass;
   const bool atOnce = finished || (times_ && times_->light < kLightAtOnce);
   if (!atOnce) input.steps = 1;
   const bool split = show.compare != SkinCompare::off;
   if (split) input.shownPart = {show.divider, 1};
-  view_->draw(input, target);
-  complete_ = view_->complete();
+  present_.view->draw(input, target);
+  complete_ = present_.view->complete();
+  compared_ = split && show.compare == SkinCompare::settings;
   if (!split) return;
   input.shownPart = {0, show.divider};
   if (show.compare == SkinCompare::scatter) {
     input.pass = SkinPass::undiffused;
-    view_->draw(input, target);
+    present_.view->draw(input, target);
     return;
   }
-  if (!kept_) kept_.emplace();
+  if (!kept_.view) kept_.view.emplace();
   const SkinLook kept = lookOf(show.kept.value_or(presentSettings(workspace)), home, surface_->box());
   SkinViewInput other{
-      .surface = *surface_, .camera = workspace.view.camera, .look = kept, .quality = quality()};
+      .surface = *surface_, .camera = workspace.view.camera, .look = kept, .quality = input.quality};
   other.supersampling = supersampling;
   other.pass = show.pass;
   other.shownPart = input.shownPart;
   other.steps = input.steps;
-  kept_->draw(other, target);
-  complete_ = complete_ && kept_->complete();
+  kept_.view->draw(other, target);
+  complete_ = complete_ && kept_.view->complete();
+}
+
+void SkinScene::refine(Lit& lit, const SkinSettings& settings, bool rests) {
+  Hasher hasher("refined light");
+  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get()));
+  addSettings(hasher, settings);
+  refined_ += lit.refiner.update(*lit.view, *surface_, prepared_, settings.skin, hasher.key(), rests) ? 1 : 0;
+}
+
+std::vector<std::string> SkinScene::refine(const Workspace& workspace, bool rests) {
+  if (!shows(workspace) || !complete_ || !present_.view) {
+    present_.refiner.cancel();
+    kept_.refiner.cancel();
+    return {};
+  }
+  if (!compared_) kept_.refiner.cancel();
+  const SkinSettings present = presentSettings(workspace);
+  refine(present_, present, rests);
+  if (compared_) refine(kept_, workspace.view.skin.kept.value_or(present), rests);
+  std::vector<std::string> failures = present_.refiner.failures();
+  std::ranges::move(kept_.refiner.failures(), std::back_inserter(failures));
+  return failures;
+}
+
+bool SkinScene::refined() const {
+  return present_.view && present_.view->byPoints() && (!compared_ || kept_.view->byPoints());
 }
 
 TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
@@ -125,12 +156,14 @@ TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
   if (!surface_) surface_.emplace();
   surface_->set(prepared_);
   const SkinLook look = lookOf(presentSettings(workspace), homeOf(workspace), surface_->box());
-  return bakeSurface(*surface_, look, {quality(), light});
+  SkinQuality finished = quality();
+  finished.points = light;
+  return bakeSurface(*surface_, look, {finished, light});
 }
 
 void SkinScene::note(Workspace& workspace, double share) {
-  if (!view_ || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off) return;
-  const SkinView::Timing t = view_->timing();
+  if (!present_.view || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off) return;
+  const SkinView::Timing t = present_.view->timing();
   times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.irradiance + t.blurs + t.combine)};
   workspace.view.skin.status.milliseconds = 1000 * times_->picture;
   chooser_.measured(shown_.full, *times_);

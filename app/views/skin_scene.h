@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/skin_quality.h"
+#include "app/views/light_refiner.h"
 #include "app/worker.h"
 #include "app/workspace.h"
 #include "core/io/textured_mesh_writer.h"
@@ -23,7 +24,7 @@ class SkinScene {
   std::vector<std::string> update(Workspace& workspace);
   // shows: whether the session's mesh can be shown as skin.
   bool shows(const Workspace& workspace) const;
-  // caption: "Preparing skin  40 %", or empty.
+  // caption: "Preparing skin  40 %", "Refining light  40 %", or empty.
   std::string caption() const;
   bool preparing() const { return worker_ && worker_->status().busy; }
 
@@ -35,6 +36,13 @@ class SkinScene {
   void draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target);
   // complete: whether the last picture showed the light that was asked for.
   bool complete() const { return complete_; }
+  // refine: once a frame: light that rests is spread from point to point in the background. What has come of it counts in
+  // addTo.
+  //   output  sentences about what failed
+  std::vector<std::string> refine(const Workspace& workspace, bool rests);
+  // refined: whether light that is complete has been refined too; refining: whether that is under way.
+  bool refined() const;
+  bool refining() const { return present_.refiner.status().busy || kept_.refiner.status().busy; }
   // bake: what is shown, for a file; see render/skin/baked_maps.h.
   //   errors  Error: it is not prepared yet
   TexturedMesh bake(const Workspace& workspace, bool light);
@@ -47,14 +55,22 @@ class SkinScene {
     bool full = false;
     friend bool operator==(const Wanted&, const Wanted&) = default;
   };
+  // Lit: settings with their light.
+  struct Lit {
+    std::optional<SkinView> view;
+    LightRefiner refiner;
+  };
   void prepare(const Wanted& wanted, const Workspace& workspace);
+  void refine(Lit& lit, const SkinSettings& settings, bool rests);
   SkinQuality quality() const { return shown_.full ? fullQuality() : lightQuality(); }
 
   std::unique_ptr<Worker> worker_;
   Wanted wanted_, shown_;
   std::shared_ptr<const SkinSurface> prepared_;
   std::optional<GpuSkin> surface_;
-  std::optional<SkinView> view_, kept_;  // of the present settings, and of those that are compared with
+  Lit present_, kept_;  // the present settings, and those that are compared with
+  int refined_ = 0;     // times that a light was refined
+  bool compared_ = false;  // whether the last picture showed both
   QualityChooser chooser_;
   std::optional<SkinTimes> times_;  // of what is prepared
   bool complete_ = true;

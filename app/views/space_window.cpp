@@ -119,8 +119,10 @@ glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
 }
 
-// Whether a surface that rests can have four samples per pixel, so that its outline is no staircase.
+// Whether a surface that rests can have four samples per pixel, so that its outline is no staircase. Skin waits for its
+// finished light.
 bool smoothEdges(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
+  if (wantsSkin(w) && window.skin.shows(w) && !window.skin.refined()) return false;
   return showsMesh(w) && 4 * window.secondsPerPixel * double(size.x) * double(size.y) < kSmoothBudget;
 }
 
@@ -243,16 +245,20 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt || lighting;
   const bool rough = refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
 
-  const bool lit = skin && window.skin.shows(workspace) && window.skin.complete();
-  workspace.view.skin.status.settled = lit && !moving;
+  const bool shown = skin && window.skin.shows(workspace), lit = shown && window.skin.complete();
+  if (skin) {
+    for (const std::string& failure : window.skin.refine(workspace, !moving))
+      workspace.toasts.add(failure, true);
+  }
+  workspace.view.skin.status.settled = lit && !moving && window.skin.refined();
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   if (skin) drawSkinMarks(window.skinTools, workspace, pane);
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
-  if (lighting || (skin && window.skin.shows(workspace) && !lit) || (rough && !moving)) return 0;
-  if (skin && window.skin.preparing()) return kPreparingSeconds;
+  if (lighting || (shown && !lit) || (rough && !moving)) return 0;
+  if (skin && (window.skin.preparing() || window.skin.refining())) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }
 

@@ -50,24 +50,24 @@ struct BlockDiffusion::State {
     }
   }
 
-  void diffuse(const std::vector<glm::vec4>& irradiance, const Progress& progress);
+  PointDiffusion::Levels diffuse(const std::vector<glm::vec4>& irradiance, const Progress& progress) const;
   void fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
-            const PointDiffusion::Levels& atPlaces);
+            const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const;
 
   std::shared_ptr<const SkinSurface> surface;
   std::array<double, GaussianSum::kCount> variances;
   std::vector<glm::vec2> sampled;  // where each sample lies in the atlas
   std::optional<PointDiffusion> diffusion;
   std::vector<TriangleLattice> places;  // where each level is asked
-  PointDiffusion::Levels maps;
 };
 
-void BlockDiffusion::State::diffuse(const std::vector<glm::vec4>& irradiance, const Progress& progress) {
+PointDiffusion::Levels BlockDiffusion::State::diffuse(const std::vector<glm::vec4>& irradiance,
+                                                      const Progress& progress) const {
   std::vector<glm::vec4> light(sampled.size());
   forEach(sampled.size(), [&](std::size_t i) {
     light[i] = glm::vec4(readAtlas(irradiance, surface->maps.size, sampled[i]), 1);
   });
-  PointDiffusion::Levels atPlaces = diffusion->gather(light);
+  PointDiffusion::Levels atPlaces = diffusion->gather(light), maps;
   for (std::size_t i = 0; i < kLevels; ++i) {
     const int level = int(i) + 1;
     if (diffusion->resolves(level))
@@ -75,11 +75,13 @@ void BlockDiffusion::State::diffuse(const std::vector<glm::vec4>& irradiance, co
                                        progress.part(0.18 * double(i), 0.18 * double(i + 1)));
     maps[i].resize(irradiance.size());
   }
-  forEach(irradiance.size(), [&](std::size_t texel) { fill(texel, irradiance, atPlaces); });
+  forEach(irradiance.size(), [&](std::size_t texel) { fill(texel, irradiance, atPlaces, maps); });
+  return maps;
 }
 
 void BlockDiffusion::State::fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
-                                 const PointDiffusion::Levels& atPlaces) {
+                                 const PointDiffusion::Levels& atPlaces,
+                                 PointDiffusion::Levels& maps) const {
   const glm::vec4& shown = surface->maps.position[texel];
   if (shown.w == 0) {
     for (std::vector<glm::vec4>& map : maps) map[texel] = glm::vec4(0);
@@ -108,21 +110,19 @@ std::size_t BlockDiffusion::bytes() const {
   std::size_t bytes = state->diffusion->bytes() + state->sampled.size() * sizeof(glm::vec2);
   for (const TriangleLattice& places : state->places)
     bytes += places.positions().size() * 2 * sizeof(glm::vec3);
-  for (const std::vector<glm::vec4>& map : state->maps) bytes += map.size() * sizeof(glm::vec4);
   return bytes;
 }
 
-const PointDiffusion::Levels& diffuseInBlocks(std::shared_ptr<const SkinSurface> surface,
-                                              const GaussianSum& profile,
-                                              const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept,
-                                              const Progress& progress) {
+PointDiffusion::Levels diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
+                                       const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept,
+                                       const Progress& progress) {
   require(irradiance.size() == surface->maps.position.size(),
           "Every texel of the atlas needs an irradiance.");
   if (!kept.state || kept.state->surface != surface || kept.state->variances != profile.variances)
     kept.state = std::make_unique<BlockDiffusion::State>(std::move(surface), profile, progress.part(0, 0.4));
-  kept.state->diffuse(irradiance, progress.part(0.4, 1));
+  PointDiffusion::Levels levels = kept.state->diffuse(irradiance, progress.part(0.4, 1));
   progress.update(1);
-  return kept.state->maps;
+  return levels;
 }
 
 }  // namespace sonoskin

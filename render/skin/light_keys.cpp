@@ -37,7 +37,7 @@ LightKeys lightKeys(std::uint64_t surface, const SkinLook& look, const SkinQuali
   for (const glm::vec3& c : look.lights.environment) addVector(lit, c);
   keys.irradiance = lit.key();
   Hasher spread("spread");
-  spread.add(keys.irradiance).add(quality.points);
+  spread.add(keys.irradiance);
   addOptions(spread, material);
   keys.blur = spread.key();
   return keys;

@@ -12,7 +12,7 @@ struct LightKeys {
 };
 
 // lightKeys: of a look on the surface of that number (GpuSkin::Parts). The camera is no part of it, nor is what only the
-// final pass reads.
+// final pass reads, nor the way in which light spreads.
 LightKeys lightKeys(std::uint64_t surface, const SkinLook& look, const SkinQuality& quality);
 
 }  // namespace sonoskin

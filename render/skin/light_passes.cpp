@@ -15,6 +15,11 @@ constexpr double kThinSmoothing = 0.75;  // mm: what comes through a plate is sp
 
 glm::vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
+// Whether light is to spread from point to point.
+bool wantsPoints(const GpuSkin& surface, const SkinQuality& quality) {
+  return surface.surface()->pointBased || quality.points;
+}
+
 void setLandmarks(gl::Program& program, const LandmarkOptions& l) {
   program.set("rightEye", vec(l.rightEye));
   program.set("leftEye", vec(l.leftEye));
@@ -49,15 +54,19 @@ LightPasses::LightPasses()
   for (gl::Framebuffer& thin : thin_) thin = emptyMap({gl::Format::rgba16f});
 }
 
+bool LightPasses::holds(const LightKeys& keys, const GpuSkin& surface, const SkinQuality& quality) const {
+  return done_ == keys && (byPoints_ || !wantsPoints(surface, quality));
+}
+
 bool LightPasses::shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const {
-  return finished() && done_ == lightKeys(surface.parts().number, look, quality);
+  return finished() && holds(lightKeys(surface.parts().number, look, quality), surface, quality);
 }
 
 void LightPasses::begin(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) {
   fit(surface);
   if (!finished()) return;
   const LightKeys keys = lightKeys(surface.parts().number, look, quality);
-  if (keys == done_) return;
+  if (holds(keys, surface, quality)) return;
   adopt(look, quality);
   wanted_ = keys;
   nextLevel_ = 0;
@@ -118,13 +127,7 @@ bool LightPasses::step(const GpuSkin& surface) {
   return true;
 }
 
-bool LightPasses::byPoints(const GpuSkin& surface) const {
-  return surface.surface()->pointBased || quality_.points;
-}
-
-bool LightPasses::firstIsLeft(const GpuSkin& surface) const {
-  return byPoints(surface) || BlurLevels::sharpFirst(skin_.diffusion);
-}
+bool LightPasses::firstIsLeft() const { return byPoints_ || BlurLevels::sharpFirst(skin_.diffusion); }
 
 void LightPasses::run(const GpuSkin& surface) {
   switch (next_) {
@@ -141,7 +144,8 @@ void LightPasses::run(const GpuSkin& surface) {
       next_ = kBlur;
       break;
     case kBlur:
-      if (byPoints(surface)) {
+      byPoints_ = wantsPoints(surface, quality_);
+      if (byPoints_) {
         spreadPoints(surface);
         nextLevel_ = kLevels;
       } else {
@@ -154,9 +158,7 @@ void LightPasses::run(const GpuSkin& surface) {
       next_ = kCombine;
       break;
     case kCombine:
-      combine(surface, 0, diffused_);
-      firstWeight_ = firstIsLeft(surface) ? glm::vec3(skin_.diffusion.weights[0]) : glm::vec3(0);
-      reference_ = false;
+      finish(surface);
       done_ = wanted_;
       next_ = kDone;
       break;
@@ -208,10 +210,24 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
 }
 
 void LightPasses::spreadPoints(const GpuSkin& surface) {
-  const auto& spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion,
-                                       gl::readTexels(irradiance_.colour(0)), points_);
+  const PointDiffusion::Levels spread = diffuseInBlocks(
+      surface.parts().surface, skin_.diffusion, gl::readTexels(irradiance_.colour(0)), points_);
   for (int level = 1; level < kLevels; ++level)
     levels_.set(level, spread[std::size_t(level - 1)], irradiance_.colour(0));
+}
+
+void LightPasses::setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels) {
+  glDisable(GL_BLEND);
+  for (int level = 1; level < kLevels; ++level)
+    levels_.set(level, levels[std::size_t(level - 1)], irradiance_.colour(0));
+  byPoints_ = true;
+  finish(surface);
+}
+
+void LightPasses::finish(const GpuSkin& surface) {
+  combine(surface, 0, diffused_);
+  firstWeight_ = firstIsLeft() ? glm::vec3(skin_.diffusion.weights[0]) : glm::vec3(0);
+  reference_ = false;
 }
 
 void LightPasses::blurThin(const GpuSkin& surface) {
@@ -247,7 +263,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   const auto& d = skin_.diffusion;
   for (int i = 0; i < kLevels; ++i) {
     bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
-    const bool left = i == 0 && firstIsLeft(surface);
+    const bool left = i == 0 && firstIsLeft();
     p.set(fmt::format("weights[{}]", i).c_str(), left ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
   }
   for (int i = 0; i < 3; ++i) {

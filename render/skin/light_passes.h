@@ -51,8 +51,10 @@ class LightPasses {
   // firstWeight: of the first Gaussian where the final pass adds it.
   glm::vec3 firstWeight() const { return firstWeight_; }
   LightMaps& lightMaps() { return lightMaps_; }
-  // spread, setDiffused: see SkinView.
+  // spread, setLevels, byPoints, setDiffused: see SkinView.
   void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
+  void setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels);
+  bool byPoints() const { return finished() && byPoints_; }
   void setDiffused(const std::vector<glm::vec4>& rgba);
   bool holdsReference() const { return reference_; }
 
@@ -63,14 +65,16 @@ class LightPasses {
  private:
   enum Pass { kMaterial, kLightMaps, kIrradiance, kBlur, kThin, kCombine, kDone };
   void run(const GpuSkin& surface);
-  // byPoints: whether light spreads from point to point; firstIsLeft: whether the final pass adds the first Gaussian.
-  bool byPoints(const GpuSkin& surface) const;
-  bool firstIsLeft(const GpuSkin& surface) const;
+  // holds: whether the finished maps are of these keys, and spread at least as well as asked for.
+  bool holds(const LightKeys& keys, const GpuSkin& surface, const SkinQuality& quality) const;
+  // firstIsLeft: whether the final pass adds the first Gaussian.
+  bool firstIsLeft() const;
   void fit(const GpuSkin& surface);
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
   void drawIrradiance(const GpuSkin& surface);
   void spreadPoints(const GpuSkin& surface);
+  void finish(const GpuSkin& surface);
   void blurThin(const GpuSkin& surface);
   void combine(const GpuSkin& surface, int part, const gl::Framebuffer& to);
 
@@ -84,7 +88,7 @@ class LightPasses {
   LightKeys wanted_, done_;
   int next_ = kDone, nextLevel_ = 0;
   std::array<gl::GpuTimer, kDone + kLevels> timers_;  // by pass; blurs by level behind them
-  bool reference_ = false;
+  bool reference_ = false, byPoints_ = false;
   glm::vec3 firstWeight_{0};
   glm::ivec2 size_{0};
   std::uint64_t surface_ = 0;  // number of the surface that the maps are of

@@ -51,6 +51,10 @@ const gl::Texture& SkinView::diffused() const { return state_->light.diffused();
 const gl::Texture& SkinView::albedo() const { return state_->light.albedo(); }
 const gl::Texture& SkinView::finish() const { return state_->light.finish(); }
 glm::vec3 SkinView::firstWeight() const { return state_->light.firstWeight(); }
+void SkinView::setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels) {
+  state_->light.setLevels(surface, levels);
+}
+bool SkinView::byPoints() const { return state_->light.byPoints(); }
 void SkinView::setDiffused(const std::vector<glm::vec4>& rgba) { state_->light.setDiffused(rgba); }
 SkinView::Timing SkinView::timing() const {
   Timing timing = state_->light.timing();

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/skin/landmark_options.h"
+#include "core/skin/point_diffusion.h"
 #include "core/skin/skin_options.h"
 #include "core/skin/skin_surface.h"
 #include "render/camera.h"
@@ -109,6 +110,10 @@ class SkinView {
   // spread: what relight() makes of a given irradiance instead of the lights'.
   //   irradiance   atlas size, linear RGB premultiplied by coverage in a
   void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
+  // setLevels: puts light that has spread from point to point (diffuseInBlocks, of level 0) in the place of blurs 1 to 5
+  // and keeps it until the light changes; the last draw must have been complete. byPoints: whether such light is shown.
+  void setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels);
+  bool byPoints() const;
   // setDiffused: puts another answer (the reference's) in the place of the diffused map and keeps it until the light
   // changes.
   //   rgba   atlas size, linear; as diffused(), but with all six terms: the irradiance of the first is not added

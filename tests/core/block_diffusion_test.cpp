@@ -41,7 +41,7 @@ TEST(BlockDiffusion, FollowsBruteForceOnFineAndCoarseTriangles) {
   for (const int level : {5, 3}) {  // sides of 0.5 and 2 mm
     const auto surface = test::surfaceInBlocks(test::icosphere(level, 13, {1, 2, 3}), level == 5 ? 6 : 14);
     BlockDiffusion kept;
-    const auto& levels =
+    const auto levels =
         diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, cosine), kept);
     EXPECT_LT(errorOf(*surface, levels, level == 5 ? 997 : 97), 1.2e-3) << level;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/skin/beckmann.h"
+#include "core/skin/block_diffusion.h"
 #include "core/skin/skin_material.h"
 #include "render/gl/read_pixels.h"
 #include "render/skin/skin_view.h"
@@ -198,6 +199,42 @@ TEST_F(PlateTest, ShowsItsTransmittance) {
 TEST_F(PlateTest, NothingComesThroughAir) {
   const glm::dvec3 apart = through(plates({{0, 2}, {8, 10}}, 15), 10);
   EXPECT_LT(apart.r, 0.01);
+}
+
+// Light from point to point that comes later takes the place of the blurs, is what finished pictures have, and stays until
+// the light changes.
+TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
+  const auto surface = ball(10, 0.3);
+  GpuSkin gpu;
+  gpu.set(surface);
+  const auto lit = [](const glm::vec3& direction) {
+    LightRig rig;
+    rig.lights.push_back({.position = glm::normalize(direction), .colour = glm::vec3(1), .shadows = false});
+    return SkinLook{plainSkin(), {}, rig};
+  };
+  const SkinLook look = lit({1, 0, 1});
+  SkinQuality finished;
+  finished.points = true;
+  SkinView view, picture;
+  picture.relight(gpu, look, finished);
+  view.relight(gpu, look, {});
+  EXPECT_FALSE(view.byPoints());
+  const auto blurred = read(view.diffused());
+  EXPECT_NE(blurred, read(picture.diffused()));
+  EXPECT_EQ(view.firstWeight(), picture.firstWeight());
+
+  BlockDiffusion kept;
+  view.setLevels(gpu, diffuseInBlocks(surface, literatureSkin(), gl::readTexels(view.level(0)), kept));
+  EXPECT_TRUE(view.byPoints());
+  EXPECT_EQ(read(view.diffused()), read(picture.diffused()));
+  view.relight(gpu, look, {});
+  view.relight(gpu, look, finished);
+  EXPECT_EQ(read(view.diffused()), read(picture.diffused())) << "kept";
+
+  view.relight(gpu, lit({0, 1, 1}), {});
+  EXPECT_FALSE(view.byPoints());
+  view.relight(gpu, look, {});
+  EXPECT_EQ(read(view.diffused()), blurred);
 }
 
 }  // namespace

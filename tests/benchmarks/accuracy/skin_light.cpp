@@ -47,7 +47,7 @@ LitAtlas litByPoints(std::shared_ptr<const SkinSurface> surface, const SkinLight
   const double before = seconds();
   diffuseInBlocks(surface, skin, irradiance, kept);
   const double built = seconds();
-  const PointDiffusion::Levels& levels = diffuseInBlocks(surface, skin, irradiance, kept);
+  const PointDiffusion::Levels levels = diffuseInBlocks(surface, skin, irradiance, kept);
   std::fprintf(stderr,
                "points of %zu triangles in %zu texels: %.2f CPU-s once, %.3f for each light, %zu MB\n",
                surface->mesh->triangles.size(), irradiance.size(), built - before, seconds() - built,

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/worker.h"
+#include "core/base/hash.h"
+#include "core/skin/block_diffusion.h"
+#include "core/skin/skin_options.h"
+#include "render/skin/skin_view.h"
+
+namespace sonoskin::ui {
+
+// LightRefiner: spreads the light of a view from point to point while it rests, in the background: right in folds and
+// across charts, where the blurs that follow the mouse are not.
+class LightRefiner {
+ public:
+  // update: once a frame. Begins where the view's light is complete and rests, gives up where it moves, and puts what is
+  // finished into the view.
+  //   input    view     its light is complete
+  //            surface  what `gpu` holds
+  //            light    the fingerprint of surface and look
+  //   output   whether the view has better light than before: it is to be drawn again
+  bool update(SkinView& view, const GpuSkin& gpu, const std::shared_ptr<const SkinSurface>& surface,
+              const SkinOptions& skin, const Key& light, bool rests);
+  void cancel();
+  // status: what runs, for people; failures: of what ran, each told once.
+  Worker::Status status() const { return worker_ ? worker_->status() : Worker::Status{}; }
+  std::vector<std::string> failures() { return std::exchange(failures_, {}); }
+
+ private:
+  struct Spread {
+    Key light;
+    PointDiffusion::Levels levels;
+  };
+  void begin(const SkinView& view, std::shared_ptr<const SkinSurface> surface, const SkinOptions& skin,
+             const Key& light);
+
+  std::shared_ptr<BlockDiffusion> kept_ = std::make_shared<BlockDiffusion>();  // the worker's alone
+  std::optional<Key> asked_;
+  std::optional<Spread> ready_;
+  std::vector<std::string> failures_;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace sonoskin::ui
