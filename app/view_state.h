@@ -83,7 +83,7 @@ struct ViewState {
   VolumeStyle volumeStyle = VolumeStyle::surface;
   VolumeLayer volumeLayer = VolumeLayer::classified;
   bool crop = true;  // to the box around the surface points
-  MeshStyle meshStyle = MeshStyle::clay;
+  MeshStyle meshStyle = MeshStyle::skin;
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;

@@ -250,7 +250,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
     for (const std::string& failure : window.skin.refine(workspace, !moving))
       workspace.toasts.add(failure, true);
   }
-  workspace.view.skin.status.settled = lit && !moving && window.skin.refined();
+  workspace.view.skin.status.settled = lit && !moving && !rough && window.skin.refined();
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   if (skin) drawSkinMarks(window.skinTools, workspace, pane);

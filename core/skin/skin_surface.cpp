@@ -1,6 +1,7 @@
 #include "core/skin/skin_surface.h"
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/mesh/decimate.h"
 
 namespace sonoskin {
@@ -27,6 +28,10 @@ void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& su
     surface.atlas = std::move(*own);
     if (surface.check.good()) return;
   }
+  if (ownCoordinates)
+    log(LogLevel::warning,
+        "The surface brings no texture coordinates, or they show parts of it on top of each other; a map is made for it "
+        "instead.");
   surface.atlas = buildAtlas(mesh, options, progress.part(0, 0.8));
   surface.check = checkAtlas(mesh, surface.atlas);
   surface.pointBased = !surface.check.good();

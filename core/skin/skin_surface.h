@@ -16,7 +16,8 @@ namespace sonoskin {
 //   detailLayers    of pores and lines, 0 to 2
 //   points          light spreads from point to point on the surface instead of by blurs in the atlas: right in folds and
 //                   across charts too, but on the CPU
-//   ownCoordinates  whether a mesh's own texture coordinates are used, where it has any and they are good enough
+//   ownCoordinates  whether a mesh's own texture coordinates are used, where it has any and they are good enough; where
+//                   not, the log says so
 struct SkinQuality {
   int triangles = 0;
   double texel = 0.15;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {
@@ -85,11 +86,16 @@ TEST(SkinSurface, HasTheMeshsOwnCoordinatesWhereThatIsAskedForAndTheyAreGood) {
     expectFits(*surface);
     return surface->atlas.corners[0][1].x == surface->atlas.corners[0][0].x;
   };
+  std::string said;
+  setLogListener([&said](LogLevel, const std::string& sentence) { said += sentence; });
   EXPECT_FALSE(isOwn());
   quality.ownCoordinates = true;
   EXPECT_TRUE(isOwn());
+  EXPECT_EQ(said, "");
   square.cornerUvs[1] = {{{0, 0}, {0, 1}, {1, 1}}};  // both at one place
   EXPECT_FALSE(isOwn());
+  EXPECT_NE(said.find("on top of each other"), std::string::npos) << said;
+  setLogListener({});
 }
 
 TEST(SkinSurface, OfNothingIsAnErrorAndItCanBeCancelled) {

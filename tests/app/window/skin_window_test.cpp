@@ -16,6 +16,8 @@ class SkinWindowTest : public WindowTest {
     ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
     ASSERT_TRUE(d.waitUntilIdle());
     d.moveTo({5, 5});
+    d.press("m");
+    ASSERT_EQ(d.workspace().view.meshStyle, MeshStyle::clay);
     d.frames(3);
     plain_ = d.screenshot("sonoskin_skin_plain");
     d.press("s");
