@@ -22,12 +22,14 @@ void LightRefiner::begin(const SkinView& view, std::shared_ptr<const SkinSurface
                     [this, spread] { ready_ = std::move(*spread); }});
 }
 
-bool LightRefiner::update(SkinView& view, const GpuSkin& gpu, const std::shared_ptr<const SkinSurface>& surface,
-                          const SkinOptions& skin, const Key& light, bool rests) {
+bool LightRefiner::update(SkinView& view, const GpuSkin& gpu,
+                          const std::shared_ptr<const SkinSurface>& surface, const SkinOptions& skin,
+                          const Key& light, bool rests) {
   if (worker_)
     for (std::string& failure : worker_->poll()) failures_.push_back(std::move(failure));
   if (view.byPoints()) return false;
-  if (const std::optional<Spread> ready = std::exchange(ready_, std::nullopt); ready && ready->light == light) {
+  if (const std::optional<Spread> ready = std::exchange(ready_, std::nullopt);
+      ready && ready->light == light) {
     view.setLevels(gpu, ready->levels);
     asked_.reset();
     return true;

@@ -73,8 +73,8 @@ bool SkinScene::shows(const Workspace& workspace) const {
 }
 
 std::string SkinScene::caption() const {
-  for (const Worker::Status& status : {worker_ ? worker_->status() : Worker::Status{}, present_.refiner.status(),
-                                       kept_.refiner.status()})
+  for (const Worker::Status& status :
+       {worker_ ? worker_->status() : Worker::Status{}, present_.refiner.status(), kept_.refiner.status()})
     if (status.busy) return fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction);
   return {};
 }
@@ -162,7 +162,8 @@ TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
 }
 
 void SkinScene::note(Workspace& workspace, double share) {
-  if (!present_.view || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off) return;
+  if (!present_.view || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off)
+    return;
   const SkinView::Timing t = present_.view->timing();
   times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.irradiance + t.blurs + t.combine)};
   workspace.view.skin.status.milliseconds = 1000 * times_->picture;

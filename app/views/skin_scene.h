@@ -68,8 +68,8 @@ class SkinScene {
   Wanted wanted_, shown_;
   std::shared_ptr<const SkinSurface> prepared_;
   std::optional<GpuSkin> surface_;
-  Lit present_, kept_;  // the present settings, and those that are compared with
-  int refined_ = 0;     // times that a light was refined
+  Lit present_, kept_;     // the present settings, and those that are compared with
+  int refined_ = 0;        // times that a light was refined
   bool compared_ = false;  // whether the last picture showed both
   QualityChooser chooser_;
   std::optional<SkinTimes> times_;  // of what is prepared

@@ -80,8 +80,7 @@ PointDiffusion::Levels BlockDiffusion::State::diffuse(const std::vector<glm::vec
 }
 
 void BlockDiffusion::State::fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
-                                 const PointDiffusion::Levels& atPlaces,
-                                 PointDiffusion::Levels& maps) const {
+                                 const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const {
   const glm::vec4& shown = surface->maps.position[texel];
   if (shown.w == 0) {
     for (std::vector<glm::vec4>& map : maps) map[texel] = glm::vec4(0);

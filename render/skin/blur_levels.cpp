@@ -20,6 +20,13 @@ void fitCleared(gl::Framebuffer& map, glm::ivec2 size) {
   map.clear({});
 }
 
+namespace {
+
+// How many times the texels of a map are doubled for a blur of so many texels.
+int coarseness(double wide) { return wide < 2 ? 0 : wide < 6 ? 1 : 2; }
+
+}  // namespace
+
 BlurLevels::BlurLevels() {
   for (gl::Framebuffer& map : maps_) map = emptyMap({gl::Format::rgba16f});
   for (gl::Framebuffer& spare : spares_) spare = emptyMap({gl::Format::rgba16f});
@@ -80,7 +87,7 @@ void BlurLevels::draw(const GpuSkin& surface, const GaussianSum& sum, int level,
   if (first ? sharpFirst(sum) : apart < 1e-6) return;
   const double wide = std::sqrt(apart) / texel;
   const double from = std::ldexp(texel, shift_[at]);
-  shift_[at] = std::max(shift_[at], wide < 3 ? 0 : wide < 6 ? 1 : 2);
+  shift_[at] = std::max(shift_[at], coarseness(wide));
   const double to = std::ldexp(texel, shift_[at]);
   stored_[at] = variance - (shift_[at] > 0 ? to * to / 6 : 0);
   gl::Framebuffer &map = maps_[at], &spare = spares_[std::size_t(shift_[at])];
@@ -99,9 +106,12 @@ void BlurLevels::set(int level, const std::vector<glm::vec4>& texels, const gl::
 
 void BlurLevels::blur(const GpuSkin& surface, const gl::Texture& from, double added, double before,
                       gl::Framebuffer& to) {
-  const double texel = double(surface.surface()->atlas.texel);
-  for (gl::Framebuffer* f : {&to, &spares_[0]}) fitCleared(*f, size_);
-  blur(surface, from, {std::sqrt(added), std::sqrt(before), texel, texel}, spares_[0], to);
+  const double fine = double(surface.surface()->atlas.texel);
+  const double read = fine * double(size_.x) / double(from.size().x);
+  const int shift = coarseness(std::sqrt(added) / fine);
+  gl::Framebuffer& spare = spares_[std::size_t(shift)];
+  for (gl::Framebuffer* f : {&to, &spare}) fitCleared(*f, coarse(shift));
+  blur(surface, from, {std::sqrt(added), std::sqrt(before), read, std::ldexp(fine, shift)}, spare, to);
 }
 
 std::size_t BlurLevels::bytes() const {

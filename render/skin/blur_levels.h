@@ -33,7 +33,7 @@ class BlurLevels {
   void set(int level, const std::vector<glm::vec4>& texels, const gl::Texture& irradiance);
   const gl::Texture& level(int level) const { return *shown_[std::size_t(level)]; }
 
-  // blur: any map, by Gaussians of `added` mm^2 after `before`, at full resolution.
+  // blur: any map, by Gaussians of `added` mm^2 after `before`; as coarse as that allows.
   void blur(const GpuSkin& surface, const gl::Texture& from, double added, double before,
             gl::Framebuffer& to);
   std::size_t bytes() const;

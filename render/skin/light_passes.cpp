@@ -210,8 +210,8 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
 }
 
 void LightPasses::spreadPoints(const GpuSkin& surface) {
-  const PointDiffusion::Levels spread = diffuseInBlocks(
-      surface.parts().surface, skin_.diffusion, gl::readTexels(irradiance_.colour(0)), points_);
+  const PointDiffusion::Levels spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion,
+                                                        gl::readTexels(irradiance_.colour(0)), points_);
   for (int level = 1; level < kLevels; ++level)
     levels_.set(level, spread[std::size_t(level - 1)], irradiance_.colour(0));
 }
