@@ -53,6 +53,7 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                       prepared_ = *made;
                       shown_ = wanted;
                       times_.reset();
+                      lit_ = false;
                       drawn_ = 0;
                     }});
 }
@@ -105,6 +106,7 @@ void SkinScene::draw(const Workspace& workspace, int supersampling, bool finishe
   if (split) input.shownPart = {show.divider, 1};
   present_.view->draw(input, target);
   complete_ = present_.view->complete();
+  lit_ = lit_ || complete_;
   compared_ = split && show.compare == SkinCompare::settings;
   if (!split) return;
   input.shownPart = {0, show.divider};

@@ -36,6 +36,8 @@ class SkinScene {
   void draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target);
   // complete: whether the last picture showed the light that was asked for.
   bool complete() const { return complete_; }
+  // lit: whether any picture of what is prepared has been complete; before, there is no light to show.
+  bool lit() const { return lit_; }
   // refine: once a frame: light that rests is spread from point to point in the background. What has come of it counts in
   // addTo.
   //   output  sentences about what failed
@@ -73,7 +75,7 @@ class SkinScene {
   bool compared_ = false;  // whether the last picture showed both
   QualityChooser chooser_;
   std::optional<SkinTimes> times_;  // of what is prepared
-  bool complete_ = true;
+  bool complete_ = true, lit_ = false;
   int drawn_ = 0;  // pictures of what is prepared
 };
 

@@ -104,6 +104,7 @@ void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, int sam
                const gl::Target& target) {
   if (wantsSkin(w) && window.skin.shows(w)) {
     window.skin.draw(w, samples, samples > 1, target);
+    if (!window.skin.lit()) drawMesh(window, w, samples, target);
   } else if (showsMesh(w)) {
     drawMesh(window, w, samples, target);
   } else {

@@ -37,7 +37,11 @@ TEST_F(WindowTest, SliderAndReconstruction) {
   ASSERT_TRUE(d.session().results().mesh);
   EXPECT_TRUE(d.session().meshIsCurrent());
   EXPECT_EQ(d.workspace().view.content, SpaceContent::mesh);
+  EXPECT_EQ(d.workspace().view.meshStyle, MeshStyle::skin);
   d.moveTo({5, 5});
+  EXPECT_GT(share(d.screenshot("sonoskin_first_skin"), d, "pane.space", isSurface), 0.08)
+      << "nothing while skin is prepared";
+  d.press("m");
   const Image mesh = d.screenshot("sonoskin_mesh");
   const double lit = share(mesh, d, "pane.space", isSurface);
   EXPECT_GT(lit, 0.08) << "no lit surface in the 3D view";
