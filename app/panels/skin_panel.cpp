@@ -78,11 +78,12 @@ FieldsEdit drawLight(Parameters& p) {
 
 void drawSkinPanel(Workspace& workspace) {
   const ViewState& view = workspace.view;
-  bool* shown = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("skin shown"));
-  const bool before = *shown;
-  *shown = view.content == SpaceContent::mesh && view.meshStyle == MeshStyle::skin;
-  if (!*shown) return;
-  if (!before) ImGui::SetScrollHereY(0);  // it lies far below: whoever asks for skin wants to turn it
+  bool* asked = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("skin asked"), true);
+  const bool before = *asked;
+  *asked = view.meshStyle == MeshStyle::skin;
+  if (!*asked || view.content != SpaceContent::mesh) return;
+  // It lies far below: whoever asks for skin wants to turn it. Who gets it with a new surface is left where he is.
+  if (!before) ImGui::SetScrollHereY(0);
   section("Skin");
   const DisabledIf disabled(!workspace.session.results().mesh);
   Parameters p = workspace.session.parameters();
