@@ -1,5 +1,6 @@
 #include "core/mesh/surface_patches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -56,24 +57,32 @@ void findNeighbours(const Facets& facets, SurfacePatches& patches) {
   }
 }
 
-// Reach: the patches around one, found from patch to patch; keeps its memory between calls.
+// Reach: the patches around one, found from patch to patch, and their squared distances. Keeps its memory between calls:
+// to clear the stamps of all patches for some of them would cost more than the search.
 struct Reach {
   std::vector<std::uint32_t> found, stamp;
+  std::vector<float> squared;
   std::uint32_t now = 0;
 
   void search(const SurfacePatches& patches, std::uint32_t from, float radius) {
-    stamp.resize(patches.size(), 0);
-    ++now;
+    if (stamp.size() < patches.size()) stamp.resize(patches.size(), 0);
+    if (++now == 0) std::fill(stamp.begin(), stamp.end(), 0), now = 1;
     found.assign(1, from);
+    squared.assign(1, 0);
     stamp[from] = now;
-    for (std::size_t next = 0; next < found.size(); ++next)
-      for (std::uint32_t i = patches.start[found[next]]; i < patches.start[found[next] + 1]; ++i) {
+    const glm::vec3 centre = patches.centre[from];
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      const std::uint32_t begin = patches.start[found[next]], end = patches.start[found[next] + 1];
+      for (std::uint32_t i = begin; i < end; ++i) {
         const std::uint32_t p = patches.neighbours[i];
         if (stamp[p] == now) continue;
         stamp[p] = now;
-        const glm::vec3 away = patches.centre[p] - patches.centre[from];
-        if (glm::dot(away, away) <= radius * radius) found.push_back(p);
+        const glm::vec3 away = patches.centre[p] - centre;
+        if (glm::dot(away, away) > radius * radius) continue;
+        found.push_back(p);
+        squared.push_back(glm::dot(away, away));
       }
+    }
   }
 };
 
@@ -104,16 +113,12 @@ std::vector<glm::vec4> smoothOverPatches(const SurfacePatches& patches, const st
       std::ptrdiff_t((patches.size() + kBlock - 1) / kBlock),
       [&](std::ptrdiff_t block) {
         thread_local Reach around;
-        around.stamp.clear();
-        around.now = 0;
         const std::size_t begin = std::size_t(block) * kBlock, end = std::min(begin + kBlock, patches.size());
         for (std::size_t p = begin; p < end; ++p) {
           around.search(patches, std::uint32_t(p), reach);
           glm::vec4 sum(0);
-          for (const std::uint32_t q : around.found) {
-            const glm::vec3 away = patches.centre[q] - patches.centre[p];
-            sum += std::exp(falloff * glm::dot(away, away)) * sums[q];
-          }
+          for (std::size_t i = 0; i < around.found.size(); ++i)
+            sum += std::exp(falloff * around.squared[i]) * sums[around.found[i]];
           smooth[p] = sum;
         }
       },
