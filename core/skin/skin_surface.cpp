@@ -30,9 +30,8 @@ void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& su
   }
   if (ownCoordinates)
     log(LogLevel::warning,
-        "The surface brings no texture coordinates, or they show parts of it on top of each other; a map is "
-        "made for it "
-        "instead.");
+        "The surface brings no texture coordinates, or they show parts of it on top of each other; "
+        "a map is made for it instead.");
   surface.atlas = buildAtlas(mesh, options, progress.part(0, 0.8));
   surface.check = checkAtlas(mesh, surface.atlas);
   surface.pointBased = !surface.check.good();
