@@ -2,6 +2,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/worker.h"
 #include "core/base/hash.h"
@@ -15,14 +18,15 @@ namespace sonoskin::ui {
 // across charts, where the blurs that follow the mouse are not.
 class LightRefiner {
  public:
-  // update: once a frame. Begins where the view's light is complete and rests, gives up where it moves, and puts what is
-  // finished into the view.
+  // update: once a frame while the view's light is complete. Begins where it rests, and puts what is finished into the
+  // view.
   //   input    view     its light is complete
   //            surface  what `gpu` holds
   //            light    the fingerprint of surface and look
   //   output   whether the view has better light than before: it is to be drawn again
   bool update(SkinView& view, const GpuSkin& gpu, const std::shared_ptr<const SkinSurface>& surface,
               const SkinOptions& skin, const Key& light, bool rests);
+  // cancel: gives up what is under way, for the light moves.
   void cancel();
   // status: what runs, for people; failures: of what ran, each told once.
   Worker::Status status() const { return worker_ ? worker_->status() : Worker::Status{}; }

@@ -228,6 +228,7 @@ TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
   EXPECT_TRUE(view.byPoints());
   EXPECT_EQ(read(view.diffused()), read(picture.diffused()));
   view.relight(gpu, look, {});
+  EXPECT_TRUE(view.byPoints()) << "no blurs in place of what is better";
   view.relight(gpu, look, finished);
   EXPECT_EQ(read(view.diffused()), read(picture.diffused())) << "kept";
 
