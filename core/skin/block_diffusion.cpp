@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/closest_point.h"
 #include "core/skin/atlas_reading.h"
+#include "core/skin/chart_sides.h"
 #include "core/skin/surface_samples.h"
 #include "core/skin/triangle_lattice.h"
 
@@ -35,7 +36,7 @@ void forEach(std::size_t count, F&& f) {
 
 struct BlockDiffusion::State {
   State(std::shared_ptr<const SkinSurface> s, const GaussianSum& p, const Progress& progress)
-      : surface(std::move(s)), variances(p.variances) {
+      : surface(std::move(s)), variances(p.variances), sides(*surface) {
     const Mesh& mesh = *surface->mesh;
     SurfaceSamples samples = sampleSurface(mesh, PointDiffusion::kBaseSpacing, progress.part(0, 0.2));
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -53,12 +54,14 @@ struct BlockDiffusion::State {
   PointDiffusion::Levels diffuse(const std::vector<glm::vec4>& irradiance, const Progress& progress) const;
   void fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
             const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const;
+  void fitSides(int level, const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const;
 
   std::shared_ptr<const SkinSurface> surface;
   std::array<double, GaussianSum::kCount> variances;
   std::vector<glm::vec2> sampled;  // where each sample lies in the atlas
   std::optional<PointDiffusion> diffusion;
   std::vector<TriangleLattice> places;  // where each level is asked
+  ChartSides sides;
 };
 
 PointDiffusion::Levels BlockDiffusion::State::diffuse(const std::vector<glm::vec4>& irradiance,
@@ -76,6 +79,7 @@ PointDiffusion::Levels BlockDiffusion::State::diffuse(const std::vector<glm::vec
     maps[i].resize(irradiance.size());
   }
   forEach(irradiance.size(), [&](std::size_t texel) { fill(texel, irradiance, atPlaces, maps); });
+  parallelFor(kLevels, [&](std::ptrdiff_t l) { fitSides(int(l) + 1, atPlaces, maps); });
   return maps;
 }
 
@@ -99,6 +103,17 @@ void BlockDiffusion::State::fill(std::size_t texel, const std::vector<glm::vec4>
   }
 }
 
+void BlockDiffusion::State::fitSides(int level, const PointDiffusion::Levels& atPlaces,
+                                     PointDiffusion::Levels& maps) const {
+  if (!diffusion->resolves(level)) return;
+  const auto l = std::size_t(level - 1);
+  std::vector<glm::vec4> light;
+  for (const ChartSides::Place& p : sides.places())
+    light.push_back(
+        places[l].value(atPlaces[l], surface->mesh->triangles[p.triangle], p.triangle, p.weights));
+  sides.fit(light, maps[l]);
+}
+
 BlockDiffusion::BlockDiffusion() = default;
 BlockDiffusion::~BlockDiffusion() = default;
 BlockDiffusion::BlockDiffusion(BlockDiffusion&&) noexcept = default;
@@ -106,7 +121,8 @@ BlockDiffusion& BlockDiffusion::operator=(BlockDiffusion&&) noexcept = default;
 
 std::size_t BlockDiffusion::bytes() const {
   if (!state) return 0;
-  std::size_t bytes = state->diffusion->bytes() + state->sampled.size() * sizeof(glm::vec2);
+  std::size_t bytes =
+      state->diffusion->bytes() + state->sampled.size() * sizeof(glm::vec2) + state->sides.bytes();
   for (const TriangleLattice& places : state->places)
     bytes += places.positions().size() * 2 * sizeof(glm::vec3);
   return bytes;

@@ -23,7 +23,8 @@ class BlockDiffusion {
 };
 
 // diffuseInBlocks: the light of an atlas of blocks after levels 1 to 5, from point to point: an atlas whose triangles do
-// not lie beside their neighbours cannot be blurred. Any other atlas will do too; its seams then do not show.
+// not lie beside their neighbours cannot be blurred. Any other atlas will do too; its charts then show the same on both
+// sides of a seam (ChartSides).
 //   input    surface      the same object as before: what `kept` holds is used again
 //            irradiance   per texel, linear, premultiplied by its coverage
 //   output   per level and texel: rgb; a: 1 where the surface or the rim of a block is, else 0. Gaussians narrower than
