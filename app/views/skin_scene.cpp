@@ -167,7 +167,7 @@ void SkinScene::note(Workspace& workspace, double share) {
   if (!present_.view || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off)
     return;
   const SkinView::Timing t = present_.view->timing();
-  times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.irradiance + t.blurs + t.combine)};
+  times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.visibility + t.irradiance + t.blurs + t.combine)};
   workspace.view.skin.status.milliseconds = 1000 * times_->picture;
   chooser_.measured(shown_.full, *times_);
 }

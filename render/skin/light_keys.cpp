@@ -25,15 +25,17 @@ LightKeys lightKeys(std::uint64_t surface, const SkinLook& look, const SkinQuali
   addOptions(made, before);
   addOptions(made, look.landmarks);
   keys.material = made.key();
-  Hasher maps("light maps");
-  maps.add(surface).add(quality.shadowSize);
-  for (const SkinLight& light : look.lights.lights)
-    addVector(maps, light.position).add(light.kind).add(light.shadows);
-  keys.lightMaps = maps.key();
   Hasher lit("irradiance");
-  lit.add(keys.material).add(keys.lightMaps).add(quality.shadowTaps);
-  for (const SkinLight& light : look.lights.lights)
-    addVector(lit, light.colour).add(light.reach).add(light.softness);
+  lit.add(keys.material);
+  for (std::size_t i = 0; i < keys.lights.size(); ++i) {
+    const SkinLight light = look.lights.light(i);
+    Hasher reached("light");
+    reached.add(surface).add(quality.shadowSize).add(quality.shadowTaps);
+    addVector(reached, light.position).add(light.kind).add(light.shadows).add(light.softness);
+    if (light.kind == LightKind::inside) reached.add(look.skin.density);
+    keys.lights[i] = reached.key();
+    addVector(lit.add(keys.lights[i]), light.colour).add(light.reach);
+  }
   for (const glm::vec3& c : look.lights.environment) addVector(lit, c);
   keys.irradiance = lit.key();
   Hasher spread("spread");

@@ -5,9 +5,12 @@
 
 namespace sonoskin {
 
-// LightKeys: fingerprints of what each of the light passes depends on; `irradiance` holds the two before it, `blur` all.
+// LightKeys: fingerprints of what each of the light passes depends on; `irradiance` holds those before it, `blur` all.
+//   lights   per light: of its depth map and of what it reaches
 struct LightKeys {
-  Key material, lightMaps, irradiance, blur;
+  Key material;
+  std::array<Key, LightRig::kMost> lights;
+  Key irradiance, blur;
   friend bool operator==(const LightKeys&, const LightKeys&) = default;
 };
 

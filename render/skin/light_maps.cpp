@@ -57,34 +57,31 @@ void LightMaps::drawFacing(const GpuSkin& surface, const glm::mat4& view, unsign
   glDisable(GL_CULL_FACE);
 }
 
-void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, int size) {
-  for (std::size_t i = 0; i < lights.lights.size(); ++i) {
-    const SkinLight& light = lights.lights[i];
-    Map& map = maps_[i];
-    for (gl::Framebuffer* f : {&map.target, &map.exits})
-      f->fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
-    if (!light.shadows) continue;
-    glm::mat4 view;
-    float width = 1;
-    if (light.kind == LightKind::far) {
-      const LightView far(light.position, surface.box());
-      view = far.projection();
-      width = 2 * far.radius;
-      map.terms = {width, 0};
-    } else {
-      view = lampView(light, surface.box(), map.terms, width);
-    }
-    map.texel = width / float(size);
-    map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
-    drawFacing(surface, view, GL_BACK, map.target);
-    drawFacing(surface, view, GL_FRONT, map.exits);
+void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int size) {
+  const SkinLight light = lights.light(i);
+  Map& map = maps_[i];
+  for (gl::Framebuffer* f : {&map.target, &map.exits})
+    f->fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+  if (!light.shadows) return;
+  glm::mat4 view;
+  float width = 1;
+  if (light.kind == LightKind::far) {
+    const LightView far(light.position, surface.box());
+    view = far.projection();
+    width = 2 * far.radius;
+    map.terms = {width, 0};
+  } else {
+    view = lampView(light, surface.box(), map.terms, width);
   }
+  map.texel = width / float(size);
+  map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
+  drawFacing(surface, view, GL_BACK, map.target);
+  drawFacing(surface, view, GL_FRONT, map.exits);
 }
 
 void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
   for (std::size_t i = 0; i < LightRig::kMost; ++i) {
-    const SkinLight light =
-        i < lights.lights.size() ? lights.lights[i] : SkinLight{.colour = glm::vec3(0), .shadows = false};
+    const SkinLight light = lights.light(i);
     const auto set = [&](const char* member, const auto& value) {
       program.set(fmt::format("lights[{}].{}", i, member).c_str(), value);
     };

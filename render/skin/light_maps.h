@@ -17,12 +17,13 @@ class LightMaps {
  public:
   LightMaps();
 
-  void draw(const GpuSkin& surface, const LightRig& lights, int size);
+  // draw: the map of light number i, of `size` texels a side.
+  void draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int size);
   // setLights: the uniforms of shaders/skin/lights.glsl.
   void setLights(gl::Program& program, const LightRig& lights) const;
-  const gl::Texture& depth(int light) const { return maps_[std::size_t(light)].target.depth(); }
-  const gl::Texture& place(int light) const { return maps_[std::size_t(light)].target.colour(); }
-  const gl::Texture& exit(int light) const { return maps_[std::size_t(light)].exits.depth(); }
+  const gl::Texture& depth(std::size_t light) const { return maps_[light].target.depth(); }
+  const gl::Texture& place(std::size_t light) const { return maps_[light].target.colour(); }
+  const gl::Texture& exit(std::size_t light) const { return maps_[light].exits.depth(); }
   std::size_t bytes() const;
 
  private:

@@ -47,7 +47,8 @@ SkinTables::SkinTables(const SkinMaterial& m) {
 
 LightPasses::LightPasses()
     : material_(emptyMap({gl::Format::rgba16f, gl::Format::rgba8})),
-      irradiance_(emptyMap({gl::Format::rgba16f, gl::Format::rgba8, gl::Format::rgba16f})),
+      visibility_(emptyMap({gl::Format::rgba16f, gl::Format::rgba16f})),
+      irradiance_(emptyMap({gl::Format::rgba16f})),
       diffused_(emptyMap({gl::Format::rgba16f})),
       through_(emptyMap({gl::Format::rgba16f})) {
   specularTable_ = specularTexture();
@@ -70,10 +71,10 @@ void LightPasses::begin(const GpuSkin& surface, const SkinLook& look, const Skin
   adopt(look, quality);
   wanted_ = keys;
   nextLevel_ = 0;
-  next_ = !(keys.material == done_.material)       ? kMaterial
-          : !(keys.lightMaps == done_.lightMaps)   ? kLightMaps
-          : !(keys.irradiance == done_.irradiance) ? kIrradiance
-                                                   : kBlur;
+  next_ = keys.material != done_.material       ? kMaterial
+          : keys.lights != done_.lights         ? kLightMaps
+          : keys.irradiance != done_.irradiance ? kIrradiance
+                                                : kBlur;
 }
 
 void LightPasses::adopt(const SkinLook& look, const SkinQuality& quality) {
@@ -108,7 +109,7 @@ void LightPasses::fit(const GpuSkin& surface) {
   size_ = surface.parts().atlasSize();
   done_ = {};
   next_ = kDone;
-  for (gl::Framebuffer* map : {&material_, &irradiance_, &diffused_, &thin_[0]}) {
+  for (gl::Framebuffer* map : {&material_, &visibility_, &irradiance_, &diffused_, &thin_[0]}) {
     map->fit(size_);
     map->clear({});
   }
@@ -133,10 +134,14 @@ void LightPasses::run(const GpuSkin& surface) {
   switch (next_) {
     case kMaterial:
       drawMaterial(surface);
-      next_ = wanted_.lightMaps == done_.lightMaps ? kIrradiance : kLightMaps;
+      next_ = wanted_.lights == done_.lights ? kIrradiance : kLightMaps;
       break;
     case kLightMaps:
-      lightMaps_.draw(surface, look_.lights, quality_.shadowSize);
+      drawLightMaps(surface);
+      next_ = kVisibility;
+      break;
+    case kVisibility:
+      drawVisibility(surface);
       next_ = kIrradiance;
       break;
     case kIrradiance:
@@ -188,23 +193,43 @@ void LightPasses::drawMaterial(const GpuSkin& surface) {
   surface.parts().drawAtlas();
 }
 
+void LightPasses::drawLightMaps(const GpuSkin& surface) {
+  for (std::size_t i = 0; i < LightRig::kMost; ++i)
+    if (changed(i)) lightMaps_.draw(surface, look_.lights, i, quality_.shadowSize);
+}
+
+void LightPasses::drawVisibility(const GpuSkin& surface) {
+  for (std::size_t i = 0; i < LightRig::kMost; ++i) {
+    if (!changed(i)) continue;
+    gl::Program& p = programs_.use(
+        "skin/visibility.frag",
+        {kindDefine(look_.lights), fmt::format("LIGHT {}", i), fmt::format("TAPS {}", quality_.shadowTaps)});
+    bindTo(p, "positionMap", 0, surface.parts().position);
+    bindTo(p, "normalMap", 1, surface.parts().normal);
+    bindTo(p, "openMap", 2, surface.parts().open);
+    bindTo(p, "depthMap", 3, lightMaps_.depth(i));
+    bindTo(p, "placeMap", 4, lightMaps_.place(i));
+    bindTo(p, "exitMap", 5, lightMaps_.exit(i));
+    lightMaps_.setLights(p, look_.lights);
+    p.set("density", float(look_.skin.density));
+    visibility_.bind();
+    glColorMask(i == 0, i == 1, i == 2, GL_TRUE);
+    surface.parts().drawAtlas();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+}
+
 void LightPasses::drawIrradiance(const GpuSkin& surface) {
-  gl::Program& p = programs_.use("skin/irradiance.frag",
-                                 {kindDefine(look_.lights), fmt::format("TAPS {}", quality_.shadowTaps)});
+  gl::Program& p = programs_.use("skin/irradiance.frag", {kindDefine(look_.lights)});
   bindTo(p, "positionMap", 0, surface.parts().position);
   bindTo(p, "normalMap", 1, surface.parts().normal);
   bindTo(p, "openMap", 2, surface.parts().open);
   bindTo(p, "albedoMap", 3, albedo());
   bindTo(p, "finishMap", 4, finish());
   bindTo(p, "specularTable", 5, specularTable_);
-  for (int i = 0; i < LightRig::kMost; ++i) {
-    bindTo(p, fmt::format("depthMaps[{}]", i), 6 + i, lightMaps_.depth(i));
-    bindTo(p, fmt::format("placeMaps[{}]", i), 9 + i, lightMaps_.place(i));
-    bindTo(p, fmt::format("exitMaps[{}]", i), 12 + i, lightMaps_.exit(i));
-  }
+  bindTo(p, "visibilityMap", 6, visibility());
   lightMaps_.setLights(p, look_.lights);
   p.set("mixBefore", float(look_.skin.mix));
-  p.set("density", float(look_.skin.density));
   irradiance_.bind();
   surface.parts().drawAtlas();
 }
@@ -231,7 +256,7 @@ void LightPasses::finish(const GpuSkin& surface) {
 }
 
 void LightPasses::blurThin(const GpuSkin& surface) {
-  const gl::Texture& depth = irradiance_.colour(2);
+  const gl::Texture& depth = visibility_.colour(1);
   if (surface.surface()->pointBased) return;  // blocks do not lie beside their neighbours
   if (look_.skin.thinModel == ThinModel::slab) {
     levels_.blur(surface, depth, kThinSmoothing * kThinSmoothing, 0, thin_[0]);
@@ -252,7 +277,7 @@ void LightPasses::blurThin(const GpuSkin& surface) {
 void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffer& to) {
   const bool slab = look_.skin.thinModel == ThinModel::slab, points = surface.surface()->pointBased;
   const auto thin = [&](int i) -> const gl::Texture& {
-    return points ? irradiance_.colour(2) : thin_[slab ? 0 : std::size_t(i)].colour();
+    return points ? visibility_.colour(1) : thin_[slab ? 0 : std::size_t(i)].colour();
   };
   gl::Program& p = programs_.use("skin/combine.frag", {kindDefine(look_.lights), slab ? "SLAB" : "GAUSSIANS",
                                                        fmt::format("PART {}", part)});
@@ -268,7 +293,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   }
   for (int i = 0; i < 3; ++i) {
     bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin(i));
-    bindTo(p, fmt::format("placeMaps[{}]", i), 13 + i, lightMaps_.place(i));
+    bindTo(p, fmt::format("placeMaps[{}]", i), 13 + i, lightMaps_.place(std::size_t(i)));
   }
   lightMaps_.setLights(p, look_.lights);
   p.set("variances", glm::vec3(d.variances[3], d.variances[4], d.variances[5]));
@@ -291,7 +316,8 @@ void LightPasses::setDiffused(const std::vector<glm::vec4>& rgba) {
 
 SkinView::Timing LightPasses::timing() const {
   const auto of = [&](int timer) { return 1000 * timers_[std::size_t(timer)].seconds(); };
-  SkinView::Timing timing{of(kMaterial), of(kLightMaps), of(kIrradiance), of(kThin), of(kCombine), 0};
+  SkinView::Timing timing{of(kMaterial),   of(kLightMaps), of(kVisibility),
+                          of(kIrradiance), of(kThin),      of(kCombine)};
   for (int level = 0; level < kLevels; ++level) timing.blurs += of(kDone + level);
   return timing;
 }
@@ -300,8 +326,8 @@ std::size_t LightPasses::bytes() const {
   const auto texels = [](const gl::Framebuffer& f) {
     return std::size_t(f.size().x) * std::size_t(f.size().y);
   };
-  std::size_t sum =
-      texels(material_) * 12 + texels(irradiance_) * 20 + texels(diffused_) * 8 + texels(through_) * 8;
+  std::size_t sum = texels(material_) * 12 + texels(visibility_) * 16 + texels(irradiance_) * 8 +
+                    texels(diffused_) * 8 + texels(through_) * 8;
   for (const gl::Framebuffer& f : thin_) sum += texels(f) * 8;
   return sum + levels_.bytes() + lightMaps_.bytes();
 }

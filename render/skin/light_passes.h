@@ -21,8 +21,8 @@ struct SkinTables {
 };
 
 // LightPasses: from lights and material to the light in the atlas, one pass at a time; what has not changed is kept.
-//   material -> light maps -> irradiance -> blurs 2 to 6 -> blurs of the depth -> weighted sum
-// None of it depends on the camera.
+//   material -> light maps -> visibility -> irradiance -> blurs 2 to 6 -> blurs of the depth -> weighted sum
+// None of it depends on the camera. A light that moves leaves the maps and the visibility of the others.
 class LightPasses {
  public:
   LightPasses();
@@ -42,7 +42,7 @@ class LightPasses {
   const gl::Texture& level(int level) const { return levels_.level(level); }
   const gl::Texture& albedo() const { return material_.colour(0); }
   const gl::Texture& finish() const { return material_.colour(1); }
-  const gl::Texture& visibility() const { return irradiance_.colour(1); }
+  const gl::Texture& visibility() const { return visibility_.colour(0); }
   // diffused: Gaussians 2 to 6 and light through thin parts, of the last look that was finished.
   const gl::Texture& diffused() const { return diffused_.colour(); }
   // drawThrough: makes `through`: light through thin parts alone.
@@ -63,7 +63,7 @@ class LightPasses {
   std::size_t bytes() const;
 
  private:
-  enum Pass { kMaterial, kLightMaps, kIrradiance, kBlur, kThin, kCombine, kDone };
+  enum Pass { kMaterial, kLightMaps, kVisibility, kIrradiance, kBlur, kThin, kCombine, kDone };
   void run(const GpuSkin& surface);
   // holds: whether the finished maps are of these keys, and spread at least as well as asked for.
   bool holds(const LightKeys& keys, const GpuSkin& surface, const SkinQuality& quality) const;
@@ -72,6 +72,9 @@ class LightPasses {
   void fit(const GpuSkin& surface);
   void adopt(const SkinLook& look, const SkinQuality& quality);
   void drawMaterial(const GpuSkin& surface);
+  bool changed(std::size_t light) const { return wanted_.lights[light] != done_.lights[light]; }
+  void drawLightMaps(const GpuSkin& surface);
+  void drawVisibility(const GpuSkin& surface);
   void drawIrradiance(const GpuSkin& surface);
   void spreadPoints(const GpuSkin& surface);
   void finish(const GpuSkin& surface);
@@ -92,7 +95,7 @@ class LightPasses {
   glm::vec3 firstWeight_{0};
   glm::ivec2 size_{0};
   std::uint64_t surface_ = 0;  // number of the surface that the maps are of
-  gl::Framebuffer material_, irradiance_, diffused_, through_;
+  gl::Framebuffer material_, visibility_, irradiance_, diffused_, through_;
   BlurLevels levels_;
   std::array<gl::Framebuffer, 3> thin_;
   BlockDiffusion points_;  // for finished pictures and atlases that cannot be blurred

@@ -32,6 +32,11 @@ struct LightRig {
   std::vector<SkinLight> lights;
   std::array<glm::vec3, 9> environment{};
   float exposure = 1;
+
+  // light: number i, or a dark one where there are fewer.
+  SkinLight light(std::size_t i) const {
+    return i < lights.size() ? lights[i] : SkinLight{.colour = glm::vec3(0), .shadows = false};
+  }
 };
 
 // HomeFrame: what "right", "up" and "toward the viewer" mean for LightOptions; unit vectors.

@@ -121,7 +121,7 @@ class SkinView {
 
   // Timing: milliseconds of the GPU for each pass when it ran last. Asking waits for those passes.
   struct Timing {
-    double material = 0, lightMaps = 0, irradiance = 0, blurs = 0, combine = 0, final = 0;
+    double material = 0, lightMaps = 0, visibility = 0, irradiance = 0, blurs = 0, combine = 0, final = 0;
   };
   Timing timing() const;
   // mapBytes: memory of the maps on the GPU, the surface's included.

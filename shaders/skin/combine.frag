@@ -14,7 +14,7 @@ uniform float reach, translucency, mixBefore;
 
 layout(location = 0) out vec4 diffused;
 
-const float kThickness = 0.2;  // 1/mm, as in irradiance.frag
+const float kThickness = 0.2;  // 1/mm, as in visibility.frag
 
 vec3 at(sampler2D map, vec2 uv) {
   vec4 value = textureLod(map, uv, 0.0);

@@ -64,24 +64,31 @@ BENCHMARK(orbit)
 void relight(benchmark::State& state) {
   Scene scene;
   scene.draw();
+  const bool all = state.range(0) == 1;
   LightOptions light;
+  light.azimuth = 5;
   for (auto _ : state) {
-    light.azimuth = light.azimuth > 80 ? -80 : light.azimuth + 10;
+    // The other lights stay until the movable one comes to the other side.
+    light.azimuth = all ? -light.azimuth : light.azimuth > 80 ? 5 : light.azimuth + 10;
     scene.look.lights = makeLightRig(light, homeFrame(scene.camera), scene.skin.box());
     scene.view.relight(scene.skin, scene.look, scene.quality);
     benchmark::DoNotOptimize(scene.view.timing().combine);
   }
   const SkinView::Timing t = scene.view.timing();
   state.counters["maps_ms"] = t.lightMaps;
+  state.counters["visibility_ms"] = t.visibility;
   state.counters["irradiance_ms"] = t.irradiance;
   state.counters["blurs_ms"] = t.blurs;
   state.counters["combine_ms"] = t.combine;
   state.counters["MB"] = double(scene.view.mapBytes()) / 1e6;
   const glm::ivec2 size = scene.skin.surface()->maps.size;
-  state.SetLabel(std::to_string(size.x) + "x" + std::to_string(size.y) + " texels");
+  state.SetLabel((all ? "all lights, " : "one light, ") + std::to_string(size.x) + "x" +
+                 std::to_string(size.y) + " texels");
 }
 BENCHMARK(relight)
     ->Name("skin/relight")
+    ->Arg(0)
+    ->Arg(1)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
