@@ -32,7 +32,7 @@ struct Atlas {
 // AtlasOptions: lengths in mm.
 struct AtlasOptions {
   double texel = 0.15;
-  double skirt = 8;           // three widths of the widest blur
+  double skirt = 8;           // what blurs may find beyond a chart
   double normalLength = 0.5;  // normals are smoothed over this before charts are chosen
   glm::vec3 front{0, 0, 1};   // unit; the chart that looks this way is favoured
   int maxSize = 8192;         // texels a side; a larger atlas gets larger texels

@@ -45,6 +45,7 @@ SkinQuality fullQuality() { return {}; }
 SkinQuality pictureQuality() {
   SkinQuality quality = fullQuality();
   quality.points = true;
+  quality.skirt = 2.5;  // only the depth is blurred, by 0.75 mm
   return quality;
 }
 
@@ -52,6 +53,7 @@ SkinQuality lightQuality() {
   SkinQuality quality;
   quality.triangles = 100000;
   quality.texel = 0.30;
+  quality.skirt = 5;
   quality.shadowSize = 1024;
   quality.shadowTaps = 9;
   quality.detailLayers = 1;
@@ -66,6 +68,7 @@ std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh,
   const SurfaceTraits traits = measureTraits(*surface->mesh, 128, 2, progress.part(0.2, 0.5));
   AtlasOptions options;
   options.texel = quality.texel;
+  options.skirt = quality.skirt;
   options.front = front;
   options.maxSize = kMaxSize;
   findAtlas(options, quality.ownCoordinates, *surface, progress.part(0.5, 0.8));

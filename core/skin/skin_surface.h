@@ -11,6 +11,8 @@ namespace sonoskin {
 // SkinQuality: what pictures of skin may cost.
 //   triangles       the mesh is reduced to about so many; 0: all are kept
 //   texel           mm
+//   skirt           mm: how much of the surface beyond a chart is drawn beside it for blurs to find: three widths of the
+//                   widest blur make 8; 5 cost 0.0005 of its red on average      [skin specification, section 4.1]
 //   shadowSize      texels along the side of each light's depth map
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2
@@ -21,6 +23,7 @@ namespace sonoskin {
 struct SkinQuality {
   int triangles = 0;
   double texel = 0.15;
+  double skirt = 8;
   int shadowSize = 2048;
   int shadowTaps = 32;
   int detailLayers = 2;

@@ -22,16 +22,17 @@ gl::Texture texture(glm::ivec2 size, gl::Format format, gl::Filter filter, const
 }
 
 // Rows of tiles that show something, each row's runs as two triangles; 0 to 1 over the atlas.
-std::vector<glm::vec2> coveredTiles(const AtlasMaps& maps) {
+//   least   coverage that counts; reach: texels beyond a tile that count
+std::vector<glm::vec2> tilesOf(const AtlasMaps& maps, float least, int reach) {
   constexpr int kTile = 8;
   const glm::ivec2 size = maps.size;
   std::vector<glm::vec2> corners;
   for (int y = 0; y < size.y; y += kTile) {
     const int top = std::min(y + kTile, size.y);
     const auto covered = [&](int x) {
-      for (int j = y; j < top; ++j)
-        for (int i = x; i < std::min(x + kTile, size.x); ++i)
-          if (maps.position[std::size_t(j) * std::size_t(size.x) + std::size_t(i)].w > 0) return true;
+      for (int j = std::max(y - reach, 0); j < std::min(top + reach, size.y); ++j)
+        for (int i = std::max(x - reach, 0); i < std::min(x + kTile + reach, size.x); ++i)
+          if (maps.position[std::size_t(j) * std::size_t(size.x) + std::size_t(i)].w >= least) return true;
       return false;
     };
     for (int x = 0; x < size.x; x += kTile) {
@@ -68,7 +69,8 @@ void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
 
 void GpuSkin::Parts::upload() {
   vertexArray.reset();
-  tileArray.reset();
+  covered.array.reset();
+  owned.array.reset();
   box = {};
   if (!surface) return;
   const Mesh& mesh = *surface->mesh;
@@ -84,11 +86,8 @@ void GpuSkin::Parts::upload() {
   vertexArray->attribute(2, 2, uvs);
   vertexArray->indices(indices);
   const AtlasMaps& maps = surface->maps;
-  const std::vector<glm::vec2> corners = coveredTiles(maps);
-  tiles = gl::Buffer(std::span<const glm::vec2>(corners));
-  tileVertices = int(corners.size());
-  tileArray.emplace();
-  tileArray->attribute(0, 2, tiles);
+  covered.upload(tilesOf(maps, 0.5f, 0));
+  owned.upload(tilesOf(maps, 1, 1));
   position = texture(maps.size, gl::Format::rgba32f, gl::Filter::nearest, maps.position);
   normal = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.normal);
   open = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.occlusion);
@@ -100,11 +99,18 @@ void GpuSkin::Parts::draw() const {
   glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
 }
 
-void GpuSkin::Parts::drawAtlas() const {
+void GpuSkin::Parts::Tiles::upload(const std::vector<glm::vec2>& places) {
+  corners = gl::Buffer(std::span<const glm::vec2>(places));
+  vertices = int(places.size());
+  array.emplace();
+  array->attribute(0, 2, corners);
+}
+
+void GpuSkin::Parts::Tiles::draw() const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glBindVertexArray(tileArray->name());
-  glDrawArrays(GL_TRIANGLES, 0, tileVertices);
+  glBindVertexArray(array->name());
+  glDrawArrays(GL_TRIANGLES, 0, vertices);
 }
 
 std::size_t GpuSkin::Parts::bytes() const {

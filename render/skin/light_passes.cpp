@@ -12,6 +12,7 @@ namespace sonoskin {
 namespace {
 
 constexpr double kThinSmoothing = 0.75;  // mm: what comes through a plate is spread by it
+constexpr double kThinLooks = 0.25;      // mm^2: what the looks for a depth spread over, a disc of 1 mm
 
 glm::vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -259,7 +260,7 @@ void LightPasses::blurThin(const GpuSkin& surface) {
   const gl::Texture& depth = visibility_.colour(1);
   if (surface.surface()->pointBased) return;  // blocks do not lie beside their neighbours
   if (look_.skin.thinModel == ThinModel::slab) {
-    levels_.blur(surface, depth, kThinSmoothing * kThinSmoothing, 0, thin_[0]);
+    levels_.blur(surface, depth, kThinSmoothing * kThinSmoothing, kThinLooks, thin_[0]);
     return;
   }
   // The depth that Gaussian i meets is blurred as far as level i - 1.                       [skin specification, section 9.2]
@@ -301,7 +302,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   p.set("translucency", float(look_.skin.translucency));
   p.set("mixBefore", float(look_.skin.mix));
   to.bind();
-  surface.parts().drawAtlas();
+  surface.parts().drawOwned();
 }
 
 void LightPasses::drawThrough(const GpuSkin& surface) {

@@ -11,9 +11,11 @@ uniform float detail, mixBefore, exposure;
 
 layout(location = 0) out vec4 colour;
 
+// Where light has not been spread, beyond the charts, what arrives is as good a filling.
 vec3 sentOut(ivec2 texel, vec3 albedo) {
   vec4 arriving = texelFetch(irradianceMap, texel, 0), spread = texelFetch(diffusedMap, texel, 0);
-  vec3 entered = firstWeight * arriving.rgb / max(arriving.a, 1e-4) + spread.rgb / max(spread.a, 1e-4);
+  arriving.rgb /= max(arriving.a, 1e-4);
+  vec3 entered = spread.a > 0.0 ? firstWeight * arriving.rgb + spread.rgb / spread.a : arriving.rgb;
   return toneMap(exposure * pow(max(albedo, vec3(0.02)), vec3(1.0 - mixBefore)) * entered);
 }
 
