@@ -160,7 +160,6 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
   p.set("exposure", input.look.lights.exposure);
   p.set("firstWeight", light.firstWeight());
   light.lightMaps().setLights(p, input.look.lights);
-  setBackground(p, input.camera);
   setScreen(p, input.camera, float(size.x) / float(size.y), projection);
   gl::drawFullScreen();
 }
@@ -181,7 +180,6 @@ void FinalPass::showMap(const SkinViewInput& input, LightPasses& light) {
   bindTo(p, "map", 3, *shown.texture);
   p.set("channel", shown.channel);
   p.set("scale", shown.scale);
-  setBackground(p, input.camera);
   gl::drawFullScreen();
 }
 

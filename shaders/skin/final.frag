@@ -5,7 +5,6 @@
 // PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
-#include "skin/background.glsl"
 #include "common/screen.glsl"
 #include "skin/detail.glsl"
 #include "skin/lights.glsl"
@@ -32,7 +31,8 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   float pixel = pixelLength * distance(eye, p) / facing;
   vec3 n = bumped(smoothNormal, p, pixel, detail * (1.0 - 0.7 * finish.a) * (1.0 - 0.5 * finish.b), m);
   float nv = max(dot(n, toEye), 0.02);
-  vec3 first = visibility.a * irradianceAround(n) * (1.0 - finish.g * reflected(0.0, finish.r).y);
+  vec2 kept = 1.0 - finish.g * reflected(nv, finish.r);  // by the surface, toward the eye and on average
+  vec3 first = visibility.a * irradianceAround(n) * kept.y;
   vec3 mirrored = vec3(0.0), coat = vec3(0.0);
 #if defined(WET)
   const float coatF0 = 0.02, coatRoughness = 0.12;
@@ -66,8 +66,7 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
 #else
   vec3 entered = firstWeight * first + spread.rgb;
 #endif
-  vec2 table = reflected(nv, finish.r);
-  vec3 diffuse = albedo / before * entered * (1.0 - finish.g * table.x) / (1.0 - finish.g * table.y);
+  vec3 diffuse = albedo / before * entered * kept.x / kept.y;
 #if PASS == 2
   vec3 sum = diffuse;
 #elif PASS == 3
@@ -81,13 +80,10 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(depthMap, texel, 0).r;
-  vec3 shown = background(uv);
-  if (depth < 1.0) {
-    vec4 surface = texelFetch(surfaceMap, texel, 0);
-    vec3 p = eye + distanceOf(depth) * rayAt(uv);
-    shown = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0);
-    shown = toneMap(exposure * shown);
-  }
+  if (depth == 1.0) discard;  // the background is there already
+  vec4 surface = texelFetch(surfaceMap, texel, 0);
+  vec3 p = eye + distanceOf(depth) * rayAt(uv);
+  vec3 shown = toneMap(exposure * shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0));
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else

@@ -1,9 +1,6 @@
 // One of the maps on the surface, as a colour: the passes that people may look at.
 // MAP: 0 linear light; 1 colour; 2 one value; 3 direction; 4 signed value; 5 millimetres per texel; 6 numbers of charts.
 #include "common/colour.glsl"
-#include "skin/background.glsl"
-
-in vec2 uv;
 
 uniform sampler2D surfaceMap, placeMap, depthMap;
 uniform sampler2D map;
@@ -38,12 +35,9 @@ vec3 shownOf(vec4 value) {
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec3 shown = background(uv);
-  if (texelFetch(depthMap, texel, 0).r < 1.0) {
-    vec4 surface = texelFetch(surfaceMap, texel, 0);
-    shown = shownOf(textureLod(map, texelFetch(placeMap, texel, 0).rg, 0.0));
-    if (surface.w < 0.0) shown *= 0.35;
-  }
+  if (texelFetch(depthMap, texel, 0).r == 1.0) discard;  // the background is there already
+  vec3 shown = shownOf(textureLod(map, texelFetch(placeMap, texel, 0).rg, 0.0));
+  if (texelFetch(surfaceMap, texel, 0).w < 0.0) shown *= 0.35;
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else
