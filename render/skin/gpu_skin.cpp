@@ -21,32 +21,63 @@ gl::Texture texture(glm::ivec2 size, gl::Format format, gl::Filter filter, const
   return made;
 }
 
-// Rows of tiles that show something, each row's runs as two triangles; 0 to 1 over the atlas.
-//   least   coverage that counts; reach: texels beyond a tile that count
-std::vector<glm::vec2> tilesOf(const AtlasMaps& maps, float least, int reach) {
-  constexpr int kTile = 8;
-  const glm::ivec2 size = maps.size;
-  std::vector<glm::vec2> corners;
-  for (int y = 0; y < size.y; y += kTile) {
-    const int top = std::min(y + kTile, size.y);
-    const auto covered = [&](int x) {
-      for (int j = std::max(y - reach, 0); j < std::min(top + reach, size.y); ++j)
-        for (int i = std::max(x - reach, 0); i < std::min(x + kTile + reach, size.x); ++i)
-          if (maps.position[std::size_t(j) * std::size_t(size.x) + std::size_t(i)].w >= least) return true;
-      return false;
-    };
-    for (int x = 0; x < size.x; x += kTile) {
-      if (!covered(x)) continue;
-      int end = x + kTile;
-      while (end < size.x && covered(end)) end += kTile;
-      const glm::vec2 low = glm::vec2(x, y) / glm::vec2(size),
-                      high = glm::vec2(std::min(end, size.x), top) / glm::vec2(size);
-      const glm::vec2 right(high.x, low.y), left(low.x, high.y);
-      corners.insert(corners.end(), {low, right, high, low, high, left});
-      x = end;
-    }
+// Tiles: which tiles of an atlas are drawn.
+class Tiles {
+ public:
+  explicit Tiles(glm::ivec2 size)
+      : size_(size),
+        count_((size + kTile - 1) / kTile),
+        drawn_(std::size_t(count_.x) * std::size_t(count_.y)) {}
+
+  // draw: those with texels from `low` to `high`, both of them included.
+  void draw(glm::ivec2 low, glm::ivec2 high) {
+    low = glm::clamp(low, glm::ivec2(0), size_ - 1) / kTile;
+    high = glm::clamp(high, glm::ivec2(0), size_ - 1) / kTile;
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) drawn_[index(x, y)] = true;
   }
-  return corners;
+  // triangles: each row's runs as two triangles; 0 to 1 over the atlas.
+  std::vector<glm::vec2> triangles() const {
+    std::vector<glm::vec2> corners;
+    for (int y = 0; y < count_.y; ++y)
+      for (int x = 0; x < count_.x; ++x) {
+        if (!drawn_[index(x, y)]) continue;
+        const int first = x;
+        while (x + 1 < count_.x && drawn_[index(x + 1, y)]) ++x;
+        const auto place = [&](int i, int j) {
+          return glm::vec2(glm::min(glm::ivec2(i, j) * kTile, size_)) / glm::vec2(size_);
+        };
+        const glm::vec2 low = place(first, y), high = place(x + 1, y + 1), right(high.x, low.y),
+                        left(low.x, high.y);
+        corners.insert(corners.end(), {low, right, high, low, high, left});
+      }
+    return corners;
+  }
+
+ private:
+  static constexpr int kTile = 8;  // texels
+  std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(count_.x) + std::size_t(x); }
+
+  glm::ivec2 size_, count_;
+  std::vector<bool> drawn_;
+};
+
+std::vector<glm::vec2> coveredTiles(const AtlasMaps& maps) {
+  Tiles tiles(maps.size);
+  for (int y = 0; y < maps.size.y; ++y)
+    for (int x = 0; x < maps.size.x; ++x)
+      if (maps.position[std::size_t(y) * std::size_t(maps.size.x) + std::size_t(x)].w > 0)
+        tiles.draw({x, y}, {x, y});
+  return tiles.triangles();
+}
+
+// What looks between texels touch on the triangles of charts; not their skirts.
+std::vector<glm::vec2> shownTiles(const Atlas& atlas) {
+  Tiles tiles(atlas.size);
+  for (const auto& [a, b, c] : atlas.corners)
+    tiles.draw(glm::ivec2(glm::floor(glm::min(a, glm::min(b, c)) - 0.5f)),
+               glm::ivec2(glm::floor(glm::max(a, glm::max(b, c)) + 0.5f)));
+  return tiles.triangles();
 }
 
 }  // namespace
@@ -70,7 +101,7 @@ void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
 void GpuSkin::Parts::upload() {
   vertexArray.reset();
   covered.array.reset();
-  owned.array.reset();
+  shown.array.reset();
   box = {};
   if (!surface) return;
   const Mesh& mesh = *surface->mesh;
@@ -86,8 +117,8 @@ void GpuSkin::Parts::upload() {
   vertexArray->attribute(2, 2, uvs);
   vertexArray->indices(indices);
   const AtlasMaps& maps = surface->maps;
-  covered.upload(tilesOf(maps, 0.5f, 0));
-  owned.upload(tilesOf(maps, 1, 1));
+  covered.upload(coveredTiles(maps));
+  shown.upload(shownTiles(surface->atlas));
   position = texture(maps.size, gl::Format::rgba32f, gl::Filter::nearest, maps.position);
   normal = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.normal);
   open = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.occlusion);
@@ -99,14 +130,14 @@ void GpuSkin::Parts::draw() const {
   glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
 }
 
-void GpuSkin::Parts::Tiles::upload(const std::vector<glm::vec2>& places) {
+void GpuSkin::Parts::Drawn::upload(const std::vector<glm::vec2>& places) {
   corners = gl::Buffer(std::span<const glm::vec2>(places));
   vertices = int(places.size());
   array.emplace();
   array->attribute(0, 2, corners);
 }
 
-void GpuSkin::Parts::Tiles::draw() const {
+void GpuSkin::Parts::Drawn::draw() const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glBindVertexArray(array->name());

@@ -19,7 +19,7 @@ struct GpuSkin::Parts {
   Box box;
   std::optional<gl::VertexArray> vertexArray;
   gl::Buffer positions, normals, uvs, indices;
-  struct Tiles {
+  struct Drawn {
     gl::Buffer corners;
     std::optional<gl::VertexArray> array;
     int vertices = 0;
@@ -27,7 +27,7 @@ struct GpuSkin::Parts {
     void upload(const std::vector<glm::vec2>& places);
     void draw() const;
   };
-  Tiles covered, owned;
+  Drawn covered, shown;
   gl::Texture position, normal, open, stretch;
 
   void upload();
@@ -35,8 +35,8 @@ struct GpuSkin::Parts {
   void draw() const;
   // drawAtlas: the parts of the atlas that show something, with a program of skin/atlas.vert: half of it is empty.
   void drawAtlas() const { covered.draw(); }
-  // drawOwned: those that charts own and what looks between their texels touch; without skirts a third less.
-  void drawOwned() const { owned.draw(); }
+  // drawShown: those that pictures read; without skirts a third less.
+  void drawShown() const { shown.draw(); }
   glm::ivec2 atlasSize() const { return surface->maps.size; }
   std::size_t bytes() const;
 };

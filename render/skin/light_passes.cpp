@@ -302,7 +302,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   p.set("translucency", float(look_.skin.translucency));
   p.set("mixBefore", float(look_.skin.mix));
   to.bind();
-  surface.parts().drawOwned();
+  surface.parts().drawShown();
 }
 
 void LightPasses::drawThrough(const GpuSkin& surface) {

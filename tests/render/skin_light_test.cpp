@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
+#include "core/skin/atlas_reading.h"
 #include "core/skin/beckmann.h"
 #include "core/skin/block_diffusion.h"
 #include "core/skin/skin_material.h"
@@ -110,6 +112,70 @@ TEST_F(SkinLightTest, WhiteFurnaceOnABall) {
 }
 
 // What spreads is not lost: the same power leaves a closed surface as arrives.                [T10]
+// Specks that are smaller than texels own none, and are read from the rims around them.
+TEST_F(SkinLightTest, SpecksAreLit) {
+  Mesh mesh = test::icosphere(3, 10, {0, 0, 0});
+  for (int i = 0; i < 20; ++i) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    const glm::vec3 corner(-20 + 2.07f * float(i), 0, 15);
+    for (const glm::vec3& away : {glm::vec3(0), glm::vec3(0.1f, 0, 0), glm::vec3(0, 0.1f, 0)}) {
+      mesh.positions.push_back(corner + away);
+      mesh.normals.emplace_back(0, 0, 1);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  const auto surface = prepareSkin(std::make_shared<const Mesh>(mesh), {0, 0, 1}, texels(0.3));
+  ASSERT_FALSE(surface->pointBased);
+  gpu_.set(surface);
+  LightRig rig;
+  rig.lights.push_back({.shadows = false});
+  view_.relight(gpu_, {plainSkin(), {}, rig}, texels(0.3));
+  const auto light = read(view_.diffused());
+  std::vector<bool> owns(mesh.triangles.size(), false);
+  for (std::size_t t = 0; t < light.size(); ++t)
+    if (surface->maps.position[t].w == 1) owns[surface->maps.triangle[t]] = true;
+  int specks = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    specks += !owns[t];
+    for (const glm::vec2& corner : surface->atlas.corners[t])
+      for (const std::uint32_t texel : lookBetween(surface->maps.size, corner).texels)
+        EXPECT_EQ(light[texel].a > 0, surface->maps.position[texel].w > 0) << t;
+  }
+  EXPECT_GT(specks, 5);
+}
+
+// What earlier lights left behind does not show, whichever light or setting changes.
+TEST_F(SkinLightTest, ChangesAreAsIfDrawnAnew) {
+  const auto surface = ball(12, 0.4);
+  gpu_.set(surface);
+  SkinLook look;
+  look.lights = makeLightRig({}, {}, gpu_.box());
+  ASSERT_EQ(look.lights.lights.size(), 3u);
+  view_.relight(gpu_, look, lightQuality());
+  std::vector<glm::vec4> before = read(view_.diffused());
+  const std::vector<std::function<void()>> changes{
+      [&] { look.lights.lights[0].position = glm::normalize(glm::vec3(1, 0.2f, -0.4f)); },
+      [&] { look.lights.lights[2].softness = 0.3f; },
+      [&] { look.lights.lights[1].colour *= 2; },
+      [&] { look.lights.lights[2].shadows = false; },
+      [&] { look.skin.melanin *= 3; },
+      [&] {
+        look.lights.lights[0].kind = LightKind::inside, look.lights.lights[0].position = glm::vec3(3, 4, 7);
+      },
+      [&] { look.skin.density *= 0.5; },
+      [&] { look.lights.lights.pop_back(); }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    changes[i]();
+    view_.relight(gpu_, look, lightQuality());
+    SkinView fresh;
+    fresh.relight(gpu_, look, lightQuality());
+    const std::vector<glm::vec4> after = read(view_.diffused());
+    EXPECT_EQ(after, read(fresh.diffused())) << i;
+    EXPECT_NE(after, before) << i;
+    before = after;
+  }
+}
+
 TEST_F(SkinLightTest, KeepsThePower) {
   const auto surface = ball(15, 0.3);
   gpu_.set(surface);

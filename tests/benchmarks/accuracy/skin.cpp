@@ -151,17 +151,16 @@ void printHead(const SkinHead& head) {
   const SkinPlaces places = spreadPlaces(*head.mesh, kPlaces);
   const SurfaceSamples samples = sampleSurface(*head.mesh, area > 50000 ? 0.15 : 0.11);
   std::vector<std::shared_ptr<const SkinSurface>> surfaces;
-  for (const double texel : {0.15, 0.30}) {
-    SkinQuality quality = fullQuality();
-    quality.texel = texel;
+  for (SkinQuality quality : {fullQuality(), lightQuality()}) {
+    quality.triangles = 0;
     surfaces.push_back(prepareSkin(head.mesh, head.home.back, quality));
     const SkinSurface& s = *surfaces.back();
     std::printf(
         "%.2f mm: %s, %dx%d texels of %.3f mm, %d charts, seams %.2f m, overlap %.2f %%, uncovered %.2f %%, "
         "stretch %.2f (99 %%)\n\n",
-        texel, s.pointBased ? "in blocks" : "atlas", s.atlas.size.x, s.atlas.size.y, double(s.atlas.texel),
-        s.check.charts, 1e-3 * s.check.seamLength, 100 * s.check.overlap, 100 * s.check.uncovered,
-        s.check.stretch99);
+        quality.texel, s.pointBased ? "in blocks" : "atlas", s.atlas.size.x, s.atlas.size.y,
+        double(s.atlas.texel), s.check.charts, 1e-3 * s.check.seamLength, 100 * s.check.overlap,
+        100 * s.check.uncovered, s.check.stretch99);
     printFurnace(surfaces.back(), places);
   }
   std::printf(
