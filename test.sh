@@ -7,7 +7,7 @@ cmake/build_release.sh || { echo "test: the build failed" >&2; exit 1; }
 
 echo "test: running every test"
 start=$SECONDS
-ctest --preset release --timeout 300 "$@"
+ctest --preset release --timeout 300 --parallel "$(nproc)" "$@"
 status=$?
 if [ $status -eq 0 ]; then
   echo "test: all passed in $((SECONDS - start)) s"

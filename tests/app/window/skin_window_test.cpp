@@ -99,7 +99,8 @@ double changed(const Image& a, const Image& b, const Driver& d, float from, floa
 }
 
 TEST_F(SkinWindowTest, ComparesHalves) {
-  constexpr double kOutline = 0.008;  // its pixels: a busy machine may leave it unsmoothed in one of two pictures
+  constexpr double kOutline =
+      0.008;  // its pixels: a busy machine may leave it unsmoothed in one of two pictures
   Driver& d = *driver;
   d.workspace().view.skin.lamp = false;
   settle();
