@@ -41,12 +41,17 @@ void Framebuffer::fit(glm::ivec2 size) {
 void Framebuffer::bind() const { Target(*this).bind(); }
 
 void Framebuffer::clear(const glm::vec4& colour) const {
+  glDisable(GL_SCISSOR_TEST);
+  for (std::size_t i = 0; i < colours_.size(); ++i)
+    glClearNamedFramebufferfv(name(), GL_COLOR, GLint(i), &colour[0]);
+  if (depth_) clearDepth();
+}
+
+void Framebuffer::clearDepth() const {
   const float far = 1;
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
-  for (std::size_t i = 0; i < colours_.size(); ++i)
-    glClearNamedFramebufferfv(name(), GL_COLOR, GLint(i), &colour[0]);
-  if (depth_) glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &far);
+  glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &far);
 }
 
 void Framebuffer::Traits::destroy(unsigned name) { glDeleteFramebuffers(1, &name); }

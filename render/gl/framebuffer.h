@@ -28,6 +28,7 @@ class Framebuffer {
   // bind: draws go here, to the whole of it.
   void bind() const;
   void clear(const glm::vec4& colour) const;  // all colours, and the depth to 1
+  void clearDepth() const;                    // to 1
 
   // setTexels: fills a colour as Texture::upload does, instead of drawing it.
   void setTexels(std::size_t index, const void* texels) { colours_[index].upload(texels); }

@@ -68,12 +68,6 @@ ShownMap shownMap(SkinPass pass, const LightPasses& light, const GpuSkin& surfac
   }
 }
 
-void setBackground(gl::Program& program, const Camera& camera) {
-  const Lighting studio = portraitLighting(camera);
-  program.set("backgroundTop", studio.backgroundTop);
-  program.set("backgroundBottom", studio.backgroundBottom);
-}
-
 // Part: a rectangle of pixels; the end is outside.
 struct Part {
   glm::ivec2 first{0}, end{0};
@@ -114,12 +108,37 @@ FinalPass::FinalPass()
                 .colours = {gl::Format::rgba16f, gl::Format::rg32f},
                 .depth = gl::Format::depth32f}),
       samples_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}),
+      backdrop_({.size = {1, 1}}),
       detail_(makeDetailTile()),
       specularTable_(specularTexture()) {}
 
+void FinalPass::drawBackdrop(const Backdrop& backdrop, bool linear) {
+  std::vector<std::string> defines;
+  if (linear) defines.emplace_back("LINEAR");
+  gl::Program& p = programs_.use("skin/background.frag", defines);
+  p.set("backgroundTop", backdrop.top);
+  p.set("backgroundBottom", backdrop.bottom);
+  gl::drawFullScreen();
+}
+
+void FinalPass::copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart) {
+  if (backdrop != backdropOf_) {
+    backdrop_.fit(backdrop.size);
+    backdrop_.bind();
+    glDisable(GL_SCISSOR_TEST);
+    drawBackdrop(backdrop, false);
+    backdropOf_ = backdrop;
+  }
+  const Part part = shownColumns(to.size, shownPart);
+  const glm::ivec2 first = to.corner + part.first, end = to.corner + part.end;
+  glDisable(GL_SCISSOR_TEST);
+  glBlitNamedFramebuffer(backdrop_.name(), to.framebuffer, part.first.x, part.first.y, part.end.x, part.end.y,
+                         first.x, first.y, end.x, end.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void FinalPass::drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection) {
   surface_.fit(size);
-  surface_.clear({});
+  surface_.clearDepth();  // what is read of the colours has been drawn
   surface_.bind();
   cutTo(shownColumns(size, input.shownPart));
   glEnable(GL_DEPTH_TEST);
@@ -190,19 +209,20 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   // Some maps are drawn when they are looked at: before the target is bound.
   if (input.pass == SkinPass::through) light.drawThrough(input.surface);
   drawSurface(input, size, projection);
+  const Lighting studio = portraitLighting(input.camera);
+  const Backdrop backdrop{size, studio.backgroundTop, studio.backgroundBottom};
+  const Part columns = shownColumns(size, input.shownPart);
+  glm::ivec2 corner(0);
   if (input.supersampling > 1) {
     samples_.fit(size);
     samples_.bind();
+    cutTo(columns);
+    drawBackdrop(backdrop, true);
   } else {
+    copyBackdrop(backdrop, target, input.shownPart);
     target.bind();
+    corner = target.corner;
   }
-  const glm::ivec2 corner = input.supersampling > 1 ? glm::ivec2(0) : target.corner;
-  const Part columns = shownColumns(size, input.shownPart);
-  cutTo(columns, corner);
-  std::vector<std::string> defines;
-  if (input.supersampling > 1) defines.emplace_back("LINEAR");
-  setBackground(programs_.use("skin/background.frag", defines), input.camera);
-  gl::drawFullScreen();
   Part part = partOf(input.surface.box(), projection * input.camera.view(), size);
   part.first = glm::max(part.first, columns.first);
   part.end = glm::min(part.end, columns.end);
