@@ -86,7 +86,7 @@ TEST_F(SkinWindowTest, DragsTheLampBehindAndTurnsItsDistance) {
   EXPECT_EQ(d.session().parameters().light.distance, distance) << "both turns are one step";
 }
 
-// A busy machine may smooth the outline in one of two pictures only: its pixels lie between those around them then.
+// A busy machine may smooth edges in one of two pictures only: of the two pixels one lies between those around the other then.
 constexpr int kOutline = 1;
 
 // Whether pixel (x, y) of b differs from all that lie between the pixels of a up to `reach` away.
@@ -110,7 +110,8 @@ double changed(const Image& a, const Image& b, const Driver& d, float from, floa
   const ImVec2 first = d.point("pane.space", from, 0.15f), last = d.point("pane.space", to, 0.85f);
   int count = 0, all = 0;
   for (int y = int(first.y); y < int(last.y); ++y)
-    for (int x = int(first.x); x < int(last.x); ++x, ++all) count += differs(a, b, x, y, reach);
+    for (int x = int(first.x); x < int(last.x); ++x, ++all)
+      count += differs(a, b, x, y, reach) && differs(b, a, x, y, reach);
   return all == 0 ? 0 : double(count) / all;
 }
 
