@@ -13,6 +13,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 // (toward the probe's side, the fluid).
 //   normals      unit; as many as positions, or empty
 //   visibility   0 (the probe cannot have seen it) to 1; as many as positions, or empty where it is unknown
+//   measured     0 (filled in, where nothing was measured) to 1 (on data); as many as positions, or empty where it is
+//                unknown
+//   labels       BodyPart of a simulated truth (core/phantom/phantom.h); as many as positions, or empty
 //   triangles    indices into positions
 //   cornerUvs    texture coordinates that a file brought: u to the right, v up, 0 to 1 over its picture; one for each
 //                triangle's three corners, or empty
@@ -20,6 +23,8 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<float> visibility;
+  std::vector<float> measured;
+  std::vector<std::uint8_t> labels;
   std::vector<Triangle> triangles;
   std::vector<std::array<glm::vec2, 3>> cornerUvs;
 
