@@ -23,10 +23,10 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<float> visibility;
-  std::vector<float> measured;
-  std::vector<std::uint8_t> labels;
   std::vector<Triangle> triangles;
   std::vector<std::array<glm::vec2, 3>> cornerUvs;
+  std::vector<float> measured{};
+  std::vector<std::uint8_t> labels{};
 
   bool empty() const { return triangles.empty(); }
 };
