@@ -70,7 +70,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
   run.report.isoValue = results.isoValue;
   run.report.points = results.points->size();
-  run.report.echoOffset = results.echoOffset;
+  run.report.edge = results.edge;
   run.report.centres = results.centres;
   run.report.globalError = results.globalError;
   run.report.globalErrorWithWeights = results.globalErrorWithWeights;

@@ -37,7 +37,9 @@ std::string reportJson(const Report& report) {
   json["erased_voxels"] = report.erasedVoxels;
   json["stages"] = stages;
   json["points"] = report.points;
-  json["echo_offset_mm"] = report.echoOffset;
+  json["edge"] = {{"dark", report.edge.dark},         {"bright", report.edge.bright},
+                  {"steepest", report.edge.steepest}, {"width_mm", report.edge.width},
+                  {"shift_mm", report.edge.shift},    {"depth_mm", report.edge.depth}};
   json["centres"] = report.centres;
   json["global_error"] = report.globalError;
   if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
@@ -62,9 +64,10 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
                       report.points, report.centres, report.pieces, report.mesh.triangles,
                       report.mesh.area / 100);
   if (report.print) text += printText(*report.print);
-  if (report.echoOffset != 0)
-    text += fmt::format("the points were moved {:.2f} mm inward, from the echo's edge to the skin\n",
-                        report.echoOffset);
+  if (report.edge.width > 0)
+    text += fmt::format(
+        "the skin's edge rises from grey {:.2f} to {:.2f} within {:.1f} mm (20 to 80 %); iso-value {:.2f}\n",
+        report.edge.dark, report.edge.bright, report.edge.width, report.isoValue);
   for (const StageReport& stage : report.stages) {
     text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
                         double(stage.bytes) * 1e-6);

@@ -25,7 +25,7 @@ struct Report {
   std::optional<MeshFacts> print;  // where there is a solid
   double globalError = 0;          // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;
-  double echoOffset = 0;       // mm that the points were moved inward
+  EdgeProfile edge;            // across the surface; all zero if the points were not moved onto it
   double seconds = 0;          // wall time of everything
   std::size_t peakMemory = 0;  // bytes
   int threads = 0;

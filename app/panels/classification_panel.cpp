@@ -19,7 +19,7 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 // The few that a person turns for a scan; the others are set once for a machine, if ever.
-const Names kFirst{"isoValue", "lowPass", "beta"};
+const Names kFirst{"isoValue", "isoShare", "lowPass", "beta"};
 
 // Block: parameters of the classification that belong together, under "Advanced".
 struct Block {

@@ -30,10 +30,12 @@ FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, con
   return edit;
 }
 
-// How far the points were moved from the echo's edge to the skin.
+// What was measured across the surface, and how far the points were moved onto it.
 void drawEchoOffset(const Results& results) {
-  if (results.points && results.echoOffset != 0)
-    ImGui::TextDisabled("Points moved %.2f mm inward, onto the skin", results.echoOffset);
+  if (results.points && results.edge.width > 0)
+    ImGui::TextDisabled("Edge: grey %.2f to %.2f in %.1f mm; points moved %.2f mm, onto the skin",
+                        results.edge.dark, results.edge.bright, results.edge.width,
+                        results.edge.shift + results.edge.depth);
 }
 
 }  // namespace

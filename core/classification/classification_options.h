@@ -28,6 +28,7 @@ struct ClassificationOptions {
   double beta = 1;
   double gamma = 1;
   double isoValue = 0;
+  double isoShare = 0.6;
   double rawShare = 0.25;
   GradientSource gradientSource = GradientSource::lowPassed;
   double gradientFloor = 0.1;
@@ -58,6 +59,10 @@ void fields(F&& f, O& o) {
     Range{0.01, 4.0, true});
   f(Field{"isoValue", "grey value at the border of the skin; 0 finds one from the volume", "", "v_iso"},
     o.isoValue, Range{0.0, 1.0});
+  f(Field{"isoShare",
+          "where isoValue is 0: how far it lies on the way from the grey of the fluid to that of the steepest edges around",
+          "", "s"},
+    o.isoShare, Range{0.05, 1.5});
   f(Field{"rawShare", "share of the raw volume, against the low-passed one, in the iso-value term", "", "w"},
     o.rawShare, Range{0.0, 1.0});
   f(Field{"gradientSource",

@@ -25,7 +25,7 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
   if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
-  DataTerm term = dataTerm(volume, smoothed.lowPassed, options, progress.part(0, 0.1));
+  DataTerm term = dataTerm(volume, smoothed.lowPassed, options, smoothed.levels, progress.part(0, 0.1));
   const TangentialOperator tangential(smoothed.directions, absoluteBeta(options));
   Solution solution = solvePcg(tangential, std::move(term), options.tolerance, progress.part(0.1, 1));
   Volume<float> result;

@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/classification/classification_options.h"
+#include "core/classification/iso_value.h"
 #include "core/classification/tangential_operator.h"
 #include "core/volume/volume.h"
 
@@ -13,6 +14,7 @@ namespace sonoskin {
 struct Smoothed {
   Volume<float> lowPassed;
   std::shared_ptr<const Directions> directions;
+  GreyLevels levels{};  // for options whose iso-value is automatic
 };
 
 // smooth: the low-passed volume and the directions of its gradients.
@@ -27,7 +29,8 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 //            [Fattal, Lischinski 2001, with the tangential term of core/README.md; a and h: data_term.h]
 //            with the formulations of the thesis its equation 3.7 instead (thesis_system.h), which needs no
 //            `smoothed`
-//   options  isoValue must be above 0
+//   options  isoValue 0: from place to place, as `smoothed.levels` and isoShare say; the thesis' formulations need one
+//            above 0
 //   output   u clamped to [0, uind]
 //   errors   Error: the skew system cannot be solved by sweeps; Cancelled
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,

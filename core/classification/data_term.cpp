@@ -34,17 +34,21 @@ void squaredGradientRow(const Volume<float>& v, int j, int k, float* out) {
 }  // namespace
 
 void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
-                 int j, int k, float* diagonal, float* right) {
-  const float iso = float(o.isoValue), w = float(o.rawShare), noise = float(o.noiseFloor * o.noiseFloor);
+                 const GreyLevels& levels, int j, int k, float* diagonal, float* right) {
+  const float w = float(o.rawShare), noise = float(o.noiseFloor * o.noiseFloor);
   const float alpha = float(o.alpha), gamma = float(o.gamma), delta = float(o.gradientFloor);
   const float perReference = float(1 / o.gradientReference), target = float(o.target);
   const float farthest = float(o.farthest * o.farthest);
   const float *v = &raw.at(0, j, k), *low = &lowPassed.at(0, j, k);
   squaredGradientRow(o.gradientSource == GradientSource::raw ? raw : lowPassed, j, k, right);
   const int count = raw.geometry.dims.x;
+  thread_local std::vector<float> isoRow;
+  isoRow.assign(std::size_t(count), float(o.isoValue));
+  if (o.isoValue <= 0) levels.row(o.isoShare, j, k, count, isoRow.data());
+  const float* iso = isoRow.data();
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    const float dv = v[i] - iso, dl = low[i] - iso, g2 = right[i];
+    const float dv = v[i] - iso[i], dl = low[i] - iso[i], g2 = right[i];
     const float a = (w * dv * dv + (1 - w) * dl * dl + noise) / (g2 + kFlatGradient);
     const float h = gamma * (delta + (1 - delta) * std::min(1.0f, std::sqrt(g2) * perReference));
     diagonal[i] = alpha * std::min(a, farthest) + h;
@@ -53,7 +57,7 @@ void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const
 }
 
 DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
-                  const Progress& progress) {
+                  const GreyLevels& levels, const Progress& progress) {
   const Geometry& geometry = raw.geometry;
   DataTerm term{LargeArray<float>(geometry.voxels()), LargeArray<float>(geometry.voxels())};
   parallelFor(
@@ -61,7 +65,7 @@ DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, cons
       [&](std::ptrdiff_t k) {
         for (int j = 0; j < geometry.dims.y; ++j) {
           const std::size_t start = geometry.index(0, j, int(k));
-          dataTermRow(raw, lowPassed, o, j, int(k), &term.diagonal[start], &term.right[start]);
+          dataTermRow(raw, lowPassed, o, levels, j, int(k), &term.diagonal[start], &term.right[start]);
         }
       },
       progress);

@@ -2,6 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/classification/classification_options.h"
+#include "core/classification/iso_value.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
@@ -20,15 +21,17 @@ struct DataTerm {
 
 // dataTerm: see above.
 //   raw, lowPassed  v and v~, the same geometry
-//   options         isoValue must be set (0 does not mean automatic here)
+//   levels          where options.isoValue is 0: v_iso from place to place, by isoShare
 //   errors          Cancelled
 DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed,
-                  const ClassificationOptions& options, const Progress& progress = {});
+                  const ClassificationOptions& options, const GreyLevels& levels = {},
+                  const Progress& progress = {});
 
 // dataTermRow: the same for the row of voxels (., j, k).
 //   diagonal, right  room for dims.x values
 void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed,
-                 const ClassificationOptions& options, int j, int k, float* diagonal, float* right);
+                 const ClassificationOptions& options, const GreyLevels& levels, int j, int k,
+                 float* diagonal, float* right);
 
 // absoluteBeta: the beta of the functional that smooths over the options' tangential length at a typical
 // edge: beta l^2 gamma h_ref, h_ref = h at |grad| = 0.06.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/base/parallel.h"
+#include "core/volume/gaussian.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
@@ -14,11 +14,17 @@ constexpr double kSamples = 230'000;  // about so many voxels are looked at, eve
 constexpr float kMargin = 6;          // voxels from the recording's side, whose edge the low-pass blurs
 constexpr double kEdgeShare = 0.02;   // of them the steepest count as edges
 constexpr float kFacing = 0.3f;       // least cosine between gradient and beam at an edge of the skin
-constexpr double kIsoShare = 0.2, kVisibleShare = 0.6;  // of the way from the fluid to the edges
+constexpr float kBefore = 4;          // mm before an edge, where fluid must be
+constexpr float kCell = 4;            // mm: cells of the field
+constexpr double kAround = 8;         // mm: standard deviation of the mean over edges around
+constexpr double kFewEdges =
+    0.02;  // of the weight in the richest places: what the whole volume's grey weighs
 
 struct Sample {
   float grey, gradient;
-  bool facing;  // dark to bright along the beam
+  glm::ivec3 voxel;
+  bool facing;       // dark to bright along the beam
+  float before = 0;  // grey a way before it on the beam
 };
 
 Sample sampleAt(const Volume<float>& volume, const Beam& beam, const glm::ivec3& voxel) {
@@ -27,7 +33,9 @@ Sample sampleAt(const Volume<float>& volume, const Beam& beam, const glm::ivec3&
   const glm::vec3 gradient = gradientAt(volume, g.axisScale(), index);
   const glm::vec3 along(glm::transpose(g.direction) * beam.directionAt(g.toWorld(glm::dvec3(voxel))));
   const float length = glm::length(gradient);
-  return {volume.data[index], length, glm::dot(gradient, along) > kFacing * length};
+  const glm::vec3 before = glm::vec3(voxel) - kBefore * along / glm::vec3(g.spacing);
+  return {volume.data[index], length, voxel, glm::dot(gradient, along) > kFacing * length,
+          sampleTrilinear(volume, before)};
 }
 
 std::vector<Sample> takeSamples(const Volume<float>& volume, const FieldOfView& view, const Beam& beam) {
@@ -71,21 +79,103 @@ double meanGrey(const std::vector<Sample>& samples, double otherwise, const Weig
   return weights > 0 ? sum / weights : otherwise;
 }
 
+// The weighted sums over the cells' samples, as two volumes of cells.
+struct CellSums {
+  Volume<float> weight, grey;
+};
+
+CellSums sumOverCells(const std::vector<Sample>& samples, const EdgeField& field, const Geometry& g,
+                      const GreyLevels& levels) {
+  Geometry cells;
+  cells.dims = field.cells;
+  cells.spacing = glm::dvec3(field.voxels) * g.spacing;
+  CellSums sums{Volume<float>(cells), Volume<float>(cells)};
+  const float dark = levels.between(0.5);
+  for (const Sample& s : samples) {
+    if (!s.facing || s.before > dark) continue;
+    const glm::ivec3 cell = glm::min(glm::ivec3(glm::vec3(s.voxel) / field.voxels), field.cells - 1);
+    const float weight = s.gradient * s.gradient;
+    sums.weight.at(cell.x, cell.y, cell.z) += weight;
+    sums.grey.at(cell.x, cell.y, cell.z) += weight * s.grey;
+  }
+  return sums;
+}
+
+std::shared_ptr<const EdgeField> edgesAround(const std::vector<Sample>& samples, const Geometry& g,
+                                             const GreyLevels& levels) {
+  auto field = std::make_shared<EdgeField>();
+  field->cells = glm::max(glm::ivec3(1), glm::ivec3(glm::dvec3(g.dims) * g.spacing / double(kCell)));
+  field->voxels = glm::vec3(g.dims) / glm::vec3(field->cells);
+  CellSums sums = sumOverCells(samples, *field, g, levels);
+  const double sigma = kAround / sums.weight.geometry.minSpacing();
+  sums.weight = gaussianBlur(sums.weight, sigma);
+  sums.grey = gaussianBlur(sums.grey, sigma);
+  const float most = *std::ranges::max_element(sums.weight.data);
+  if (!(most > 0)) return nullptr;
+  const float few = float(kFewEdges) * most;
+  for (std::size_t c = 0; c < sums.weight.data.size(); ++c)
+    field->grey.push_back((sums.grey.data[c] + few * levels.edge) / (sums.weight.data[c] + few));
+  return field;
+}
+
+// Cell: the two cells between whose middles a voxel lies, and how far it is from the first.
+struct Between {
+  int first, second;
+  float part;
+};
+Between cellsAround(int voxel, float size, int count) {
+  const float at = std::clamp((float(voxel) + 0.5f) / size - 0.5f, 0.f, float(count - 1));
+  const int first = std::min(int(at), count - 1);
+  return {first, std::min(first + 1, count - 1), at - float(first)};
+}
+
 }  // namespace
 
-GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
-  const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);
-  if (samples.empty()) return {};
-  const float least = steep(samples);
-  const double edge = meanGrey(samples, 0.5, [&](const Sample& s) {
-    return s.facing && s.gradient >= least ? double(s.gradient) : 0.0;
-  });
-  const double fluid =
-      meanGrey(samples, 0, [&](const Sample& s) { return double(s.grey) < edge ? 1.0 : 0.0; });
-  const auto between = [&](double share) {
-    return float(std::clamp(fluid + share * (edge - fluid), 0.02, 0.98));
+void EdgeField::row(int j, int k, int count, float* out) const {
+  const Between y = cellsAround(j, voxels.y, cells.y), z = cellsAround(k, voxels.z, cells.z);
+  thread_local std::vector<float> line;
+  line.resize(std::size_t(cells.x));
+  const auto at = [&](int x, int b, int c) {
+    return grey[(std::size_t(c) * std::size_t(cells.y) + std::size_t(b)) * std::size_t(cells.x) +
+                std::size_t(x)];
   };
-  return {between(kIsoShare), between(kVisibleShare)};
+  for (int x = 0; x < cells.x; ++x) {
+    const float near = std::lerp(at(x, y.first, z.first), at(x, y.second, z.first), y.part);
+    const float far = std::lerp(at(x, y.first, z.second), at(x, y.second, z.second), y.part);
+    line[std::size_t(x)] = std::lerp(near, far, z.part);
+  }
+  for (int i = 0; i < count; ++i) {
+    const Between x = cellsAround(i, voxels.x, cells.x);
+    const float a = line[std::size_t(x.first)];
+    out[i] = a + x.part * (line[std::size_t(x.second)] - a);
+  }
+}
+
+float GreyLevels::between(double share) const {
+  return std::clamp(fluid + float(share) * (edge - fluid), 0.02f, 0.98f);
+}
+
+void GreyLevels::row(double share, int j, int k, int count, float* out) const {
+  if (!edges) {
+    std::fill_n(out, count, between(share));
+    return;
+  }
+  edges->row(j, k, count, out);
+  for (int i = 0; i < count; ++i) out[i] = std::clamp(fluid + float(share) * (out[i] - fluid), 0.02f, 0.98f);
+}
+
+GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
+  GreyLevels levels;
+  const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);
+  if (samples.empty()) return levels;
+  const float least = steep(samples);
+  levels.edge = float(meanGrey(samples, 0.5, [&](const Sample& s) {
+    return s.facing && s.gradient >= least ? double(s.gradient) : 0.0;
+  }));
+  levels.fluid =
+      float(meanGrey(samples, 0, [&](const Sample& s) { return s.grey < levels.edge ? 1.0 : 0.0; }));
+  levels.edges = edgesAround(samples, lowPassed.geometry, levels);
+  return levels;
 }
 
 }  // namespace sonoskin

@@ -1,26 +1,52 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "core/volume/field_of_view.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
 
-// GreyLevels: what a volume's greys tell of the skin, in [0.02, 0.98].
-//   isoValue  at the border of the skin, as low as the fluid's noise allows: for the classification
-//   visible   farther up the skin's edge, clear of the fluid's noise: for views of the volume itself
-struct GreyLevels {
-  float isoValue = 0.3f, visible = 0.3f;
+// EdgeField: the grey at the steepest edges around a place, known at the middles of equal cells and interpolated between
+// them.
+//   cells   their number along i, j, k
+//   voxels  their size, in voxels
+//   grey    one for each cell, i fastest
+struct EdgeField {
+  glm::ivec3 cells{1};
+  glm::vec3 voxels{1};
+  std::vector<float> grey;
+
+  // row: the grey at the voxels (0 .. count - 1, j, k).
+  void row(int j, int k, int count, float* out) const;
 };
 
-// proposeLevels: both levels, from the volume.
+// GreyLevels: what a volume's greys tell of the skin.
+//   fluid  grey of the fluid and the shadows
+//   edge   grey at the steepest edges of the whole volume
+//   edges  the same from place to place; empty where the volume has none
+struct GreyLevels {
+  float fluid = 0, edge = 0.3f;
+  std::shared_ptr<const EdgeField> edges{};
+
+  // between: the grey that lies so far on the way from the fluid to the edges, in [0.02, 0.98].
+  float between(double share) const;
+  // row: the same from place to place, at the voxels (0 .. count - 1, j, k).
+  void row(double share, int j, int k, int count, float* out) const;
+};
+
+// proposeLevels: from the volume.
 //   lowPassed  values in [0, 1]
 //   view       voxels outside it, and those within 6 voxels of its sides, are not counted
 //   beam       edges count that go from dark to bright along it, as skin in fluid does
-//   method     e: the mean grey on the steepest edges, weighted by their gradient  [Katz 1965], which does not
-//              depend on how much of the volume is fluid; f: the mean grey of everything darker than e, that is
-//              the fluid and the shadows; the levels are f + 0.2 (e - f) and f + 0.6 (e - f). The 0.2 is ours,
-//              from simulated scans at five noise levels: more lets the fluid's speckle in, less loses skin.
-//   cost       looks at 230,000 voxels, evenly spread: 20 ms
+//   method     edge: the mean grey on the steepest edges, weighted by their gradient [Katz 1965], which does not depend
+//              on how much of the volume is fluid; fluid: the mean grey of everything darker than that. From place to
+//              place: a surface of thresholds through the grey at edges [Yanowitz and Bruckstein 1989], here a Gaussian
+//              mean over kAround mm, weighted by the squared gradient and drawn to the grey of the whole volume where
+//              there are few edges; those count that have fluid before them on the beam, so that bone behind the skin
+//              does not.
+//   cost       looks at 230,000 voxels, evenly spread: 25 ms
 GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam);
 
 }  // namespace sonoskin

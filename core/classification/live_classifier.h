@@ -22,7 +22,7 @@ class LiveClassifier {
   LiveClassifier(std::shared_ptr<const Volume<float>> volume, std::shared_ptr<const Smoothed> smoothed);
 
   // classify: as classify() in classify.h, but for the tolerance: kLiveTolerance, or options' if that is larger.
-  //   options  the variational formulation; isoValue must be above 0
+  //   options  the variational formulation
   //   errors   Cancelled; the next call then starts afresh
   std::shared_ptr<const Volume<float>> classify(const ClassificationOptions& options,
                                                 const Progress& progress = {});

@@ -69,8 +69,8 @@ void addToTiles(const RowWork& work, float* coupling, float* squares) {
 }  // namespace
 
 void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const TangentialOperator& k,
-                 const ClassificationOptions& options, const float* before, ScaledSystem& system,
-                 float* start, const Progress& progress) {
+                 const ClassificationOptions& options, const GreyLevels& levels, const float* before,
+                 ScaledSystem& system, float* start, const Progress& progress) {
   const Geometry& g = raw.geometry;
   for (LargeArray<Half>* part : {&system.right, &system.own, &system.inverse}) part->resize(g.voxels());
   const glm::ivec3 counts = tileCounts(g.dims);
@@ -86,7 +86,7 @@ void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const
           for (int j = 0; j < g.dims.y; ++j) {
             const std::size_t at = g.index(0, j, slice);
             Half *right = &system.right[at], *own = &system.own[at], *inverse = &system.inverse[at];
-            dataTermRow(raw, lowPassed, options, j, slice, work.diagonal.data(), work.right.data());
+            dataTermRow(raw, lowPassed, options, levels, j, slice, work.diagonal.data(), work.right.data());
             k.diagonalRow(j, slice, work.coupling.data());
             startRow(work, right, own, before ? before + at : nullptr, start + at, g.dims.x);
             scaleRow(work, right, own, inverse, g.dims.x);

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 6> kOursAlone{
 std::string_view classificationUse(const ClassificationOptions& o, std::string_view field) {
   const bool closed = o.formulation == Formulation::thesisClosed,
              skew = o.formulation == Formulation::thesisSkew;
+  if (field == "isoShare" && o.isoValue > 0) return "The iso-value is given";
   if (!closed && !skew) {
     if (field == "curl" || field == "rescale") return "Only the thesis' formulations have it";
     if (field == "tangentialLength" && o.beta == 0) return "Beta is 0: nothing is smoothed along the surface";
@@ -42,17 +43,24 @@ std::string_view enhancementUse(const EnhancementOptions& o, std::string_view fi
 }
 
 std::string_view surfaceUse(const SurfaceOptions& o, std::string_view field) {
+  if (field == "skinDepth" && !o.offsetCorrection) return "The points stay where they were found";
+  if (field == "sides" && o.thinning == ThinningMethod::thesis)
+    return "The thesis' thinning follows no sides";
+  if (field == "sides" && o.facing <= -0.7) return "All sides are kept already";
   if (o.clusters == ClusterRule::largest &&
       (field == "strongThreshold" || field == "strongShare" || field == "lobeStrength"))
     return "Only the largest piece is kept, however strong it is";
   return {};
 }
 
-std::string_view reconstructionUse(const ReconstructionOptions& o, std::string_view field) {
+std::string_view reconstructionUse(const Parameters& p, std::string_view field) {
+  const ReconstructionOptions& o = p.reconstruction;
+  if (field == "measuredNoise" && !p.surface.offsetCorrection)
+    return "The noise is measured as points are moved";
   if (o.method == ReconstructionMethod::global)
     return field == "method" ? "" : "The global function has parameters of its own";
   if (o.method == ReconstructionMethod::thesis &&
-      (field == "neighbours" || field == "maxSupport" || field == "confidence"))
+      (field == "neighbours" || field == "maxSupport" || field == "confidence" || field == "measuredNoise"))
     return "The thesis has it fixed: 20 neighbours, supports of up to 0.07 of the longest axis, all points "
            "alike";
   if (field == "regularisation" && !o.fitWeights) return "No weights are fitted";
@@ -130,7 +138,7 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "classification") return classificationUse(parameters.classification, field);
   if (group == "scan" && field == "apex" && parameters.scan.beamOrigin != BeamOrigin::given)
     return "Only used if the beams' origin is given";
-  if (group == "reconstruction") return reconstructionUse(parameters.reconstruction, field);
+  if (group == "reconstruction") return reconstructionUse(parameters, field);
   if (group == "print" && field != "form" && parameters.print.form == PrintForm::none)
     return "Choose a form first: shell or block";
   if (group == "surface") return surfaceUse(parameters.surface, field);

@@ -22,11 +22,17 @@ namespace sonoskin {
 namespace {
 
 constexpr double kPreviewTolerance = 1e-2;
+constexpr double kVisibleShare = 0.6;  // of the way from the fluid to the edges: clear of the fluid's noise
+
+// The iso-value that is given, or the one of the whole volume that was found.
+double isoValueOf(const ClassificationOptions& options, const GreyLevels& levels) {
+  return options.isoValue > 0 ? options.isoValue : double(levels.between(options.isoShare));
+}
 
 struct Points {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::shared_ptr<const SurfacePoints> points;
-  double echoOffset = 0;
+  EdgeProfile edge;
 };
 
 std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
@@ -55,7 +61,7 @@ Points pointsOf(const Scan& scan, const Volume<float>& classified, const Prepare
                            iso};
   FoundSurface found = findSurface(input, parameters.surface, progress);
   return {std::make_shared<const Volume<std::uint8_t>>(thinnedVolume(found.voxels, classified.geometry)),
-          std::make_shared<const SurfacePoints>(std::move(found.points)), found.echoOffset};
+          std::make_shared<const SurfacePoints>(std::move(found.points)), found.edge};
 }
 
 glm::dvec3 centreOf(const Geometry& g) { return g.toWorld(0.5 * glm::dvec3(g.dims - 1)); }
@@ -182,9 +188,10 @@ Start Pipeline::Stages::start(const Way& way) {
 // Sliders are answered fast; what a mesh is made from is solved to the tolerance.
 Key Pipeline::Stages::classify(const Way& way, const Start& start, Goal goal) {
   ClassificationOptions options = way.parameters.classification;
-  if (options.isoValue <= 0) options.isoValue = double(start.prepared->levels.isoValue);
-  way.results.isoValue = options.isoValue;
-  way.results.visibleLevel = double(start.prepared->levels.visible);
+  const GreyLevels& levels = start.prepared->smoothed.levels;
+  way.results.isoValue = isoValueOf(options, levels);
+  way.results.visibleLevel = double(levels.between(kVisibleShare));
+  if (options.formulation != Formulation::variational) options.isoValue = way.results.isoValue;
   const Key final = keyOf("classify 2", start.key, options);
   way.results.isFinal = goal == Goal::mesh || classified.find(final);
   if (way.results.isFinal) {
@@ -210,7 +217,7 @@ Key Pipeline::Stages::findPoints(const Way& way, const Start& start, const Key& 
   });
   way.results.thinned = found->thinned;
   way.results.points = found->points;
-  way.results.echoOffset = found->echoOffset;
+  way.results.edge = found->edge;
   return key;
 }
 
@@ -301,11 +308,11 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   });
   // The levels of the volume itself, where they are known: the full answer will use them.
   const auto full = stages_->prepared.find(key);
-  const GreyLevels levels = full ? full->levels : prepared->levels;
+  const GreyLevels levels = full ? full->smoothed.levels : prepared->smoothed.levels;
   ClassificationOptions& classification = adapted.classification;
-  if (classification.isoValue <= 0) classification.isoValue = double(levels.isoValue);
-  results.isoValue = classification.isoValue;
-  results.visibleLevel = double(levels.visible);
+  results.isoValue = isoValueOf(classification, levels);
+  results.visibleLevel = double(levels.between(kVisibleShare));
+  if (classification.formulation != Formulation::variational) classification.isoValue = results.isoValue;
   results.classified =
       coarse.live.classify(key, coarser.volume, prepared, classification, progress.part(0.5, 1));
   return results;

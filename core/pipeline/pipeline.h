@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
+#include "core/surface/edge_placement.h"
 #include "core/surface/surface_points.h"
 #include "core/volume/scan.h"
 
@@ -38,7 +39,7 @@ struct Results {
   std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
-  double echoOffset = 0;                            // mm that the points were moved inward, onto the skin
+  EdgeProfile edge;                                 // across the surface, where the points were moved onto it
   std::size_t centres = 0;                          // of the fitted function
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted

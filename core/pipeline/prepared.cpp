@@ -10,7 +10,7 @@ Prepared prepare(const Scan& scan, const Volume<float>& input, const Parameters&
   const Beam beam = beamOf(scan, parameters.scan);
   result.view = findFieldOfView(scan, beam, progress.part(0.7, 1));
   result.beam = beamWithin(result.view, beam, scan.volume->geometry, parameters.scan);
-  result.levels = proposeLevels(result.smoothed.lowPassed, result.view, result.beam);
+  result.smoothed.levels = proposeLevels(result.smoothed.lowPassed, result.view, result.beam);
   return result;
 }
 

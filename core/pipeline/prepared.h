@@ -13,7 +13,6 @@ struct Prepared {
   Smoothed smoothed;
   FieldOfView view;
   Beam beam;
-  GreyLevels levels;
 };
 
 // prepare: from the volume that is classified, the scan's own or the enhanced one.

@@ -14,13 +14,13 @@ namespace {
 void smoothSkin(Parameters& p) {
   p.classification.lowPass = 1.75;
   p.classification.tangentialLength = 4;
-  p.reconstruction.smoothness = 7e-5;
+  p.reconstruction.smoothness = 5e-5;
 }
 
 void detailedSkin(Parameters& p) {
   p.classification.lowPass = 1.2;
   p.classification.tangentialLength = 2;
-  p.reconstruction.smoothness = 2e-5;
+  p.reconstruction.smoothness = 1e-5;
 }
 
 // What both examples of the thesis share: chapters 3 and 4, and for the thinning its program.
@@ -39,6 +39,7 @@ void thesis(Parameters& p) {
   s.clusters = ClusterRule::largest;
   s.minClusterArea = 0;
   s.facing = -1;
+  s.sides = 0;
   s.borderMargin = 0;
   s.firstHit = 0;
   s.offsetCorrection = false;

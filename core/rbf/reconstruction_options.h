@@ -18,7 +18,8 @@ constexpr std::array<const char*, 3> enumNames(ReconstructionMethod) {
 // ReconstructionOptions: adaptive compactly supported radial basis functions.
 struct ReconstructionOptions {
   ReconstructionMethod method = ReconstructionMethod::adaptive;
-  double smoothness = 5e-5;
+  double smoothness = 2e-5;
+  bool measuredNoise = true;
   double overlap = 1.5;
   int neighbours = 10;
   double maxSupport = 0.07;
@@ -35,6 +36,11 @@ void fields(F&& f, O& o) {
     o.method);
   f(Field{"smoothness", "1e-5 keeps detail and noise, 1e-4 is smooth", "", "T_sa"}, o.smoothness,
     Range{1e-6, 1e-3, true});
+  f(Field{"measuredNoise",
+          "each place is as smooth as its measured noise asks for: smoothness then says how much more or "
+          "less than "
+          "2e-5, which stands for just so much; off: the same smoothness everywhere"},
+    o.measuredNoise);
   f(Field{"overlap", "supports that must cover every point, at least", "", "T_overlap"}, o.overlap,
     Range{0.5, 4.0});
   f(Field{"neighbours", "neighbours that measure the density around a point", "", "K"}, o.neighbours,

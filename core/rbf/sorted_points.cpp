@@ -73,6 +73,10 @@ SortedPoints sortPoints(const SurfacePoints& points, const ReconstructionOptions
   copySorted(points, sorted);
   progress.update(0.2);
 
+  if (options.measuredNoise && !points.noise.empty()) {
+    sorted.noise.reserve(points.size());
+    for (const std::uint32_t i : sorted.grid.order()) sorted.noise.push_back(points.noise[i]);
+  }
   // Without confidence every point counts the same.
   std::vector<float> confidence(points.size(), 1.f);
   if (options.confidence)

@@ -14,6 +14,7 @@ struct SortedPoints {
   std::vector<float> x, y, z;     // mm
   std::vector<float> nx, ny, nz;  // unit, outward
   std::vector<float> influence;   // d_i > 0; its scale cancels everywhere
+  std::vector<float> noise;       // mm, along the normal; empty where it is not known
   double diagonal = 0;            // L: of the points' box, mm
   double spacing = 0;             // h: 1/sqrt(density), mm
 

@@ -88,8 +88,9 @@ std::optional<double> searchSupport(Neighbourhood& scratch, double radius, const
 
 }  // namespace
 
-FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const SupportRule& rule, double hint,
+FittedCentre fitCentre(const SortedPoints& points, std::size_t centre, const SupportRule& given, double hint,
                        Neighbourhood& scratch) {
+  const SupportRule rule = points.noise.empty() ? given : given.atNoise(double(points.noise[centre]));
   double radius = hint > 0 ? std::max(kHintMargin * hint, 2 * rule.smallest) : 4 * rule.smallest;
   radius = std::min(radius, rule.largest);
   std::optional<double> sigma;

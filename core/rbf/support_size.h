@@ -15,6 +15,15 @@ namespace sonoskin {
 struct SupportRule {
   double smallest = 1, largest = 1, diagonal = 1, smoothness = 1e-4;
 
+  // atNoise: the rule for a place whose points lie `noise` mm off, one by one. The second term of E_SA then is the
+  // variance of a fit to points whose errors belong together over a resolution cell, and E_SA the expected squared error.
+  SupportRule atNoise(double noise) const {
+    constexpr double kResolution = 0.035;  // mm; calibrated on simulated and real scans
+    SupportRule rule = *this;
+    rule.smoothness = smoothness / 2e-5 * kResolution * noise / diagonal;
+    return rule;
+  }
+
   // E_SA = E_local² + (T_sa L / σ)²                                  [Ohtake et al. 2004; thesis 3.20]
   //   meanSquare   mean squared distance of the points from the quadric, (L E_local)², mm²
   double error(double meanSquare, double sigma) const {

@@ -1,8 +1,12 @@
 #include "core/surface/find_surface.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/surface/clusters.h"
-#include "core/surface/echo_offset.h"
+#include "core/surface/edge_placement.h"
 #include "core/surface/first_hit.h"
+#include "core/surface/sides.h"
 #include "core/surface/thesis_thinning.h"
 #include "core/volume/histogram.h"
 
@@ -21,6 +25,15 @@ SurfaceOptions scaledToStrongest(SurfaceOptions options, const Volume<float>& cl
   return options;
 }
 
+// Takes out what does not face the probe.
+std::vector<SurfaceVoxel> takeSides(std::vector<SurfaceVoxel>& voxels, const SurfaceOptions& options) {
+  std::vector<SurfaceVoxel> sides;
+  const auto isSide = [&](const SurfaceVoxel& v) { return double(v.facing) <= options.facing; };
+  std::ranges::copy_if(voxels, std::back_inserter(sides), isSide);
+  std::erase_if(voxels, isSide);
+  return sides;
+}
+
 // The surface voxels that are kept.
 std::vector<SurfaceVoxel> findVoxels(const SurfaceInput& input, const SurfaceOptions& given,
                                      const Progress& progress) {
@@ -30,16 +43,21 @@ std::vector<SurfaceVoxel> findVoxels(const SurfaceInput& input, const SurfaceOpt
   std::vector<SurfaceVoxel> voxels =
       thinning(input.classified, input.lowPassed, input.frame, options, progress.part(0.1, 0.6));
   std::erase_if(voxels, [&](const SurfaceVoxel& v) { return !input.frame.region.contains(v.voxel); });
+  const std::vector<SurfaceVoxel> sides = takeSides(voxels, options);
   voxels = dropWeakClusters(voxels, geometry, options);
   progress.update(0.7);
-  if (options.firstHit > 0) {
+  const auto firstHits = [&](const std::vector<SurfaceVoxel>& all, const Progress& part) {
     const FluidLevels levels = findFluidLevels(input.lowPassed, input.frame.view, input.isoValue);
-    voxels = keepFirstHits(voxels, input.lowPassed, input.frame, levels, options.firstHit,
-                           progress.part(0.7, 0.9));
+    return keepFirstHits(all, input.lowPassed, input.frame, levels, options.firstHit, part);
+  };
+  if (options.firstHit > 0) {
+    voxels = firstHits(voxels, progress.part(0.7, 0.8));
     voxels = dropWeakClusters(voxels, geometry, options);  // of what is left
   }
+  voxels = dropLooseLobes(voxels, geometry, options);
+  voxels = growSides(voxels, sides, geometry, options.sides);
   progress.update(0.9);
-  return dropLooseLobes(voxels, geometry, options);
+  return options.firstHit > 0 ? firstHits(voxels, progress.part(0.9, 1)) : voxels;
 }
 
 }  // namespace
@@ -48,10 +66,8 @@ FoundSurface findSurface(const SurfaceInput& input, const SurfaceOptions& option
   FoundSurface found;
   found.voxels = findVoxels(input, options, progress.part(0, 0.8));
   found.points = extractSurfacePoints(found.voxels, input.lowPassed, progress.part(0.8, 0.9));
-  if (options.offsetCorrection) {
-    found.echoOffset = echoOffset(found.points, input.recorded, progress.part(0.9, 1));
-    moveInward(found.points, found.echoOffset);
-  }
+  if (options.offsetCorrection)
+    found.edge = placeOnEdges(found.points, input.recorded, options.skinDepth, progress.part(0.9, 1));
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/surface/edge_placement.h"
 #include "core/surface/surface_points.h"
 
 namespace sonoskin {
@@ -19,12 +20,12 @@ struct SurfaceInput {
 struct FoundSurface {
   std::vector<SurfaceVoxel> voxels;
   SurfacePoints points;
-  double echoOffset = 0;  // mm that the points were moved inward, onto the skin
+  EdgeProfile edge;  // across the surface; all zero without SurfaceOptions::offsetCorrection
 };
 
 // findSurface: from the classified volume to oriented points on the skin.
 //   steps    thin, the frame's region, dropWeakClusters, keepFirstHits, dropWeakClusters, dropLooseLobes,
-//            extractSurfacePoints, echoOffset
+//            extractSurfacePoints, placeOnEdges
 //   scale    with ThresholdScale::strongest the thresholds are shares of the 99.8th percentile of u: soft edges classify
 //            weakly all over a volume, so what counts is how strong a surface is beside the others
 //   region   what is left of the surface is weighed by itself; the thresholds are those of the whole volume, so that a

@@ -31,9 +31,11 @@ struct SurfaceOptions {
   double lobeStrength = 0.6;
   double minClusterArea = 60;
   double facing = 0.1;
+  double sides = 3;
   double borderMargin = 4;
   double firstHit = 15;
   bool offsetCorrection = true;
+  double skinDepth = 0.66;
 };
 
 template <class F, class O>
@@ -66,6 +68,12 @@ void fields(F&& f, O& o) {
     o.minClusterArea, Range{0.0, 1e5});
   f(Field{"facing", "cosine between beam and inward gradient that a surface needs; -1 keeps all"}, o.facing,
     Range{-1.0, 0.99});
+  f(Field{"sides",
+          "how far around its sides a surface that faces the probe is followed, so that what overhangs is "
+          "whole; 0 "
+          "leaves them out",
+          "mm"},
+    o.sides, Range{0.0, 20.0});
   f(Field{"borderMargin", "distance from the border of the scanned region within which nothing is surface",
           "voxels"},
     o.borderMargin, Range{0.0, 32.0});
@@ -76,8 +84,13 @@ void fields(F&& f, O& o) {
           "mm"},
     o.firstHit, Range{0.0, 40.0});
   f(Field{"offsetCorrection",
-          "move the points inward from where the echo begins to where it has risen: onto the skin"},
+          "move each point along its normal to where the grey rises most steeply, and from there onto the "
+          "skin"},
     o.offsetCorrection);
+  f(Field{"skinDepth",
+          "how far behind the steepest rise the skin lies, as a share of the way in which the grey rises "
+          "from 20 to 80 %"},
+    o.skinDepth, Range{0.0, 2.0});
 }
 
 }  // namespace sonoskin

@@ -81,7 +81,7 @@ class Thinner {
         spacing_(u.geometry.spacing),
         stride_{1, u.geometry.dims.x, std::ptrdiff_t(u.geometry.index(0, 0, 1))},
         threshold_(float(options.threshold)),
-        facing_(float(options.facing)) {}
+        facing_(float(leastFacing(options))) {}
 
   // thinRow: the surface voxels of one inner row. Most of a volume is far below the threshold: a pass that the
   // compiler vectorises skips it.
@@ -108,7 +108,8 @@ class Thinner {
     const float longest = std::max({std::abs(step.x), std::abs(step.y), std::abs(step.z)});
     if (longest < 1e-12f) return;
     const glm::vec3 position = glm::vec3(voxel) * spacing_;
-    if (!facesProbe(position, gradient)) return;
+    const float facing = facingOf(position, gradient);
+    if (facing <= facing_) return;
     step /= longest;
     const auto asItIs = [](float u) { return u; };
     const float centre = u_.data[index], after = neighbour(index, step, asItIs);
@@ -120,14 +121,12 @@ class Thinner {
     const auto inverse = [&](float u) { return 1 / std::max(u, kLeast * centre); };
     const float offset = ridgeOffset(neighbour(index, -step, inverse), 1 / centre,
                                      neighbour(index, step, inverse), interpolationExcess(step, spacing_));
-    found.push_back({voxel, glm::vec3(voxel) + offset * step, centre});
+    found.push_back({voxel, glm::vec3(voxel) + offset * step, centre, facing});
   }
 
-  bool facesProbe(const glm::vec3& position, const glm::vec3& gradient) const {
-    if (facing_ <= -1) return true;
+  float facingOf(const glm::vec3& position, const glm::vec3& gradient) const {
     const glm::vec3 beam = beams_.towards(position);
-    return glm::dot(gradient, beam) >
-           facing_ * std::sqrt(glm::dot(gradient, gradient) * glm::dot(beam, beam));
+    return glm::dot(gradient, beam) / std::sqrt(glm::dot(gradient, gradient) * glm::dot(beam, beam));
   }
 
   // The value one step away: a step is one voxel along its longest axis, so that it ends in a plane of voxels.
@@ -149,6 +148,11 @@ class Thinner {
 };
 
 }  // namespace
+
+double leastFacing(const SurfaceOptions& options) {
+  constexpr double kSidesFacing = -0.7;  // beyond it lies the end of an echo, not a side
+  return options.sides > 0 ? std::min(options.facing, kSidesFacing) : options.facing;
+}
 
 std::vector<SurfaceVoxel> thin(const Volume<float>& classified, const Volume<float>& lowPassed,
                                const ScanFrame& frame, const SurfaceOptions& options,

@@ -27,7 +27,7 @@ struct System {
   explicit System(double tangentialLength = 3) {
     options.isoValue = 0.35;
     options.tangentialLength = tangentialLength;
-    scaleSystem(volume, volume, k(), options, nullptr, scaled, start.data());
+    scaleSystem(volume, volume, k(), options, {}, nullptr, scaled, start.data());
   }
   TangentialOperator k() const { return {directions, absoluteBeta(options)}; }
   LargeArray<float> solve(double tolerance, FastSolution* solution = nullptr) const {
@@ -90,7 +90,7 @@ TEST(Chebyshev, LeavesOutWhatDoesNotMove) {
   for (int k = 0; k < s.geometry.dims.z; ++k)
     for (int j = 15; j < s.geometry.dims.y; ++j) std::fill_n(&s.volume.at(0, j, k), s.geometry.dims.x, 0.0f);
   s.directions = std::make_shared<const Directions>(cellDirections(s.volume, 0.02));
-  scaleSystem(s.volume, s.volume, s.k(), s.options, nullptr, s.scaled, s.start.data());
+  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, nullptr, s.scaled, s.start.data());
   FastSolution solution;
   s.solve(1e-3, &solution);
   EXPECT_LT(double(solution.updates), 0.75 * solution.sweeps * double(s.geometry.voxels()));
@@ -102,8 +102,8 @@ TEST(Chebyshev, WarmStartIsNearer) {
   LargeArray<float> before = s.exact(), cold = s.start;
   s.options.isoValue += 0.01;
   LargeArray<float> warm(before.size());
-  scaleSystem(s.volume, s.volume, s.k(), s.options, before.data(), s.scaled, warm.data());
-  scaleSystem(s.volume, s.volume, s.k(), s.options, nullptr, s.scaled, cold.data());
+  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, before.data(), s.scaled, warm.data());
+  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, nullptr, s.scaled, cold.data());
   EXPECT_LT(s.residual(warm), 0.4 * s.residual(cold));
 }
 

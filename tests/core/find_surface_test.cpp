@@ -82,15 +82,16 @@ TEST(FindSurface, ACutMovesNothingThatStays) {
   }
 }
 
-// The echo's offset is measured at the points that are left: here the face's echo rises slower than the arm's.
-TEST(FindSurface, TheOffsetIsThatOfThePointsThatAreLeft) {
+// The edge is measured at the points that are left: here the face's echo rises slower than the arm's.
+TEST(FindSurface, TheEdgeIsThatOfThePointsThatAreLeft) {
   ArmBeforeFace scene;
   for (int k = 0; k < 40; ++k)
     for (int j = 20; j < 26; ++j)
       for (int i = 0; i < 40; ++i) scene.grey.at(i, j, k) = 0.4f + 0.1f * float(j - 20);
-  const double arm = scene.find(true).echoOffset;
+  const double arm = scene.find(true).edge.width;
   scene.eraseArm(0, 40);
-  const double face = scene.find(true).echoOffset;
+  const double face = scene.find(true).edge.width;
+  EXPECT_GT(arm, 0);
   EXPECT_GT(face, arm + 1);
 }
 

@@ -1,5 +1,7 @@
 #include "core/classification/iso_value.h"
 
+#include "core/classification/classification_options.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,7 +15,7 @@
 namespace sonoskin {
 namespace {
 
-constexpr double kShare = 0.2;  // of the way from the fluid to the middle of the edge
+constexpr double kShare = 0.2;  // of the way from the fluid to the middle of the edge, as good as any
 
 // A smooth step along j, the probe's axis, with its middle at j = at.
 double step(double j, double at, double low, double high) {
@@ -23,15 +25,15 @@ double step(double j, double at, double low, double high) {
 // A long beam, so that the flanks of the step weigh little beside fluid and tissue.
 Geometry beamOfVoxels() { return test::grid({16, 200, 16}); }
 
-TEST(IsoValue, LiesAFifthOfTheWayFromFluidToEdge) {
+TEST(IsoValue, LiesTheShareOfTheWayFromFluidToEdge) {
   const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) { return step(p.y, 100.5, 0.1, 0.8); });
-  EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.1 + kShare * 0.35, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, {}, {}).between(kShare), 0.1 + kShare * 0.35, 0.01);
 }
 
 TEST(IsoValue, DoesNotDependOnHowMuchIsFluid) {
   for (const double border : {40.5, 100.5, 160.5}) {
     const auto volume = test::fill(beamOfVoxels(), [&](glm::dvec3 p) { return step(p.y, border, 0.3, 0.6); });
-    EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.3 + kShare * 0.15, 0.01) << border;
+    EXPECT_NEAR(proposeLevels(volume, {}, {}).between(kShare), 0.3 + kShare * 0.15, 0.01) << border;
   }
 }
 
@@ -40,7 +42,7 @@ TEST(IsoValue, IgnoresEdgesThatLookAway) {
   const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) {
     return p.y > 150 ? 0.1 : step(p.y, 100.5, 0.1, 0.5) + 0.5 * std::clamp((p.y - 110) / 40, 0.0, 1.0);
   });
-  EXPECT_NEAR(proposeLevels(volume, {}, {}).isoValue, 0.1 + kShare * 0.2, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, {}, {}).between(kShare), 0.1 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, DoesNotCountWhatLiesOutsideTheView) {
@@ -48,13 +50,50 @@ TEST(IsoValue, DoesNotCountWhatLiesOutsideTheView) {
     return p.x < 30 ? 0.0 : step(p.y, 100.5, 0.4, 0.8);  // a black margin beside fluid and tissue
   });
   const FieldOfView view{{glm::vec4(-1, 0, 0, 29.5)}, {}};
-  EXPECT_NEAR(proposeLevels(volume, view, {}).isoValue, 0.4 + kShare * 0.2, 0.01);
+  EXPECT_NEAR(proposeLevels(volume, view, {}).between(kShare), 0.4 + kShare * 0.2, 0.01);
 }
 
 TEST(IsoValue, OfAnEmptyVolumeIsInRange) {
-  const float iso = proposeLevels(Volume<float>(test::grid({8, 8, 8})), {}, {}).isoValue;
+  const float iso = proposeLevels(Volume<float>(test::grid({8, 8, 8})), {}, {}).between(0);
   EXPECT_GE(iso, 0.02f);
   EXPECT_LE(iso, 0.98f);
+}
+
+// Skin that grows brighter along i: the level follows it, where that of the whole volume lies between.
+TEST(IsoValue, FollowsTheEdgesAround) {
+  const auto skin = [](double i) { return 0.3 + 0.5 * i / 119; };
+  const auto volume =
+      test::fill(test::grid({120, 80, 40}), [&](glm::dvec3 p) { return step(p.y, 40.5, 0.1, skin(p.x)); });
+  const GreyLevels levels = proposeLevels(volume, {}, {});
+  std::vector<float> row(120);
+  levels.row(1, 40, 20, 120, row.data());
+  for (const int i : {15, 60, 104}) EXPECT_NEAR(row[std::size_t(i)], 0.5 * (0.1 + skin(i)), 0.03) << i;
+}
+
+// Far from all edges the level is that of the whole volume; with none at all it is the same everywhere.
+TEST(IsoValue, IsThatOfTheWholeVolumeWhereThereAreNoEdges) {
+  const auto volume = test::fill(test::grid({200, 40, 20}), [](glm::dvec3 p) {
+    return p.x < 60 ? step(p.y, 20.5, 0.1, p.x < 30 ? 0.5 : 0.7) : 0.1;
+  });
+  const GreyLevels levels = proposeLevels(volume, {}, {});
+  std::vector<float> row(200);
+  levels.row(1, 20, 10, 200, row.data());
+  EXPECT_NEAR(row[195], levels.edge, 0.01);
+  EXPECT_LT(row[5], row[50]);
+  const GreyLevels flat = proposeLevels(Volume<float>(test::grid({20, 20, 20}), 0.2f), {}, {});
+  flat.row(0.6, 3, 3, 20, row.data());
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(row[std::size_t(i)], flat.between(0.6));
+}
+
+// Bone shines brighter than the skin a centimetre before it, and does not count: no fluid lies before it.
+TEST(IsoValue, FollowsTheSkinAndNotTheBoneBehindIt) {
+  const auto volume = test::fill(test::grid({60, 80, 30}, {0.5, 0.5, 0.5}), [](glm::dvec3 p) {
+    const double j = p.y / 0.5;
+    return step(j, 30.5, 0.1, 0.5) + step(j, 46.5, 0, 0.4);
+  });
+  std::vector<float> row(60);
+  proposeLevels(volume, {}, {}).row(1, 30, 15, 60, row.data());
+  EXPECT_NEAR(row[30], 0.3, 0.03);
 }
 
 // The mean greys of a simulated scan: fluid more than 3 mm clear of everything, and the skin that faces the probe.
@@ -86,7 +125,8 @@ TEST(IsoValue, LiesJustAboveTheFluidAtAllNoiseLevels) {
     options.snr = snr;
     const Scan scan = makePhantomScan(options);
     const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
-    const float iso = proposeLevels(low, findFieldOfView(*scan.volume, *scan.beam), *scan.beam).isoValue;
+    const float iso =
+        proposeLevels(low, findFieldOfView(*scan.volume, *scan.beam), *scan.beam).between(kShare);
     const Greys greys = trueGreys(scan);
     const double share = (double(iso) - greys.fluid) / (greys.skin - greys.fluid);
     EXPECT_GT(share, 0.03) << "snr " << snr << ", fluid " << greys.fluid << ", skin " << greys.skin;
@@ -102,7 +142,8 @@ TEST_P(IsoValueOfRealFace, IsNearTheOneThatAPersonChose) {
   const Scan scan = readScan(file);
   const Beam beam = beamOf(scan, {});
   const Volume<float> low = gaussianBlur(*scan.volume, 1.5);
-  EXPECT_NEAR(proposeLevels(low, findFieldOfView(*scan.volume, beam), beam).isoValue, 0.25, 0.07);
+  const double share = ClassificationOptions{}.isoShare;
+  EXPECT_NEAR(proposeLevels(low, findFieldOfView(*scan.volume, beam), beam).between(share), 0.36, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fetus, IsoValueOfRealFace,

@@ -117,7 +117,7 @@ TEST(SurfaceOfAVolume, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.points->normals, three.points->normals);
   EXPECT_EQ(one.points->confidence, three.points->confidence);
   EXPECT_EQ(one.thinned->data, three.thinned->data);
-  EXPECT_EQ(one.echoOffset, three.echoOffset);
+  EXPECT_EQ(one.points->noise, three.points->noise);
 }
 
 }  // namespace

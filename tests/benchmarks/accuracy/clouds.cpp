@@ -92,7 +92,7 @@ Cloud phantomCloud(const std::string& level, double snr, const Parameters& param
   const Results results = pipeline.run(scan, changed, Goal::points);
   const SurfacePoints points = keepVisible(*results.points, Truth(changed.phantom));
   return {fmt::format("phantom {}", level), points,
-          roundToVoxels(points, scan.volume->geometry, results.echoOffset),
+          roundToVoxels(points, scan.volume->geometry, results.edge.shift + results.edge.depth),
           makePhantomTruth(changed.phantom)};
 }
 
