@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/random_field.h"
 
 namespace sonoskin {
@@ -16,6 +15,8 @@ using glm::vec3;
 constexpr float kNear = 2;        // mm from an interface within which its angle matters
 constexpr float kLostSound = 45;  // dB, two ways; beyond it only clutter is left
 constexpr float kOutside = -62;   // dB; also the fluid's own echo
+
+constexpr float kInCord = -1.2f;  // mm; no membrane is as thick
 
 // Losses, dB per mm of depth, there and back.
 constexpr float kLossBaby = 0.1f, kLossMother = 0.06f, kLossBone = 9, kLossGrazing = 2;
@@ -44,22 +45,32 @@ struct Echo {
 // Tissue: what the sound meets at one position.
 class Tissue {
  public:
-  Tissue(const Anatomy& anatomy, float layer, int seed)
-      : anatomy_(anatomy), layer_(layer), skinKey_(streamKey(seed, 1)), dustKey_(streamKey(seed, 2)) {}
+  // across: how far apart the samples lie across the beam, rad; what is thinner is blurred to that.
+  Tissue(const Anatomy& anatomy, float layer, float across, int seed)
+      : anatomy_(anatomy),
+        layer_(layer),
+        across_(across),
+        skinKey_(streamKey(seed, 1)),
+        dustKey_(streamKey(seed, 2)) {}
 
-  Echo at(const vec3& p, const vec3& beam, std::uint32_t index) const {
+  // range: mm from the apex.
+  Echo at(const vec3& p, const vec3& beam, float range, std::uint32_t index) const {
     DistanceSample skin{anatomy_.skin.value(p), {}}, wall{anatomy_.wall.value(p), {}};
     if (std::abs(skin.value) < kNear) skin = anatomy_.skin.sample(p);
     if (std::abs(wall.value) < kNear) wall = anatomy_.wall.sample(p);
+    const float strands = anatomy_.strands ? anatomy_.strands->value(p) : skin.value + kNear;
     Echo echo;
     if (skin.value < 0)
       echo = inBaby(p, beam, skin);
     else if (wall.value < 0)
       echo = inMother(p, beam, wall);
+    else if (strands < kInCord)
+      echo = inCord(p);
     else
       echo = inFluid(std::min(skin.value, wall.value), index);
     if (std::abs(skin.value) < kNear && wall.value > -0.5f) addSkin(echo, p, skin, incidence(skin, beam));
     if (std::abs(wall.value) < kNear && skin.value > 0.5f) addWall(echo, p, wall, incidence(wall, beam));
+    if (anatomy_.strands && strands < kNear && skin.value > 0) addStrands(echo, p, beam, range);
     return echo;
   }
 
@@ -105,8 +116,22 @@ class Tissue {
     echo.mirror += amplitude(-8) * patch * gauss((wall.value + 0.45f) / (1.2f * layer_)) * reflection(cosine);
   }
 
+  Echo inCord(const vec3& p) const {
+    const float texture = valueNoise(p, 2.5f, 31) + valueNoise(p, 5, 32) - 1;
+    return {amplitude(-27 + 6 * texture), 0, kLossMother};
+  }
+
+  void addStrands(Echo& echo, const vec3& p, const vec3& beam, float range) const {
+    const DistanceSample strands = anatomy_.strands->sample(p);
+    const float distance = strands.value, facing = incidence(strands, beam);
+    const float width = distance > 0 ? std::max(layer_, 0.4f * across_ * range) : std::max(layer_, 0.5f);
+    const float patch = amplitude(-8 * valueNoise(p, 3, skinKey_ + 3));
+    echo.mirror += amplitude(-9) * patch * gauss(distance / width) * (0.35f + 0.65f * facing * facing);
+  }
+
   const Anatomy& anatomy_;
   float layer_;  // mm, standard deviation of a reflecting layer: never thinner than the samples resolve
+  float across_;
   std::uint32_t skinKey_, dustKey_;
 };
 
@@ -121,17 +146,27 @@ Geometry anatomyGrid(double spacing) {
   return {cells + 3, glm::dvec3(spacing), glm::dvec3(-spacing), glm::dmat3(1)};
 }
 
-Anatomy sampleAnatomy(double spacing, const Progress& progress) {
+DistanceGrid sampled(const PhantomModel& model, double (PhantomModel::*distance)(const glm::dvec3&) const,
+                     const Geometry& grid, double band, const Progress& progress) {
+  const auto at = [&](const glm::dvec3& p) { return (model.*distance)(p); };
+  return DistanceGrid(sampleDistance(grid, at, band, progress));
+}
+
+Anatomy sampleAnatomy(const PhantomModel& model, double spacing, const Progress& progress) {
   const Geometry grid = anatomyGrid(spacing);
-  return {DistanceGrid(sampleDistance(grid, skinDistance, kNear + spacing, progress.part(0, 0.6))),
-          DistanceGrid(sampleDistance(grid, boneDistance, 1.2 + spacing, progress.part(0.6, 0.9))),
-          DistanceGrid(sampleDistance(grid, wallDistance, kNear + spacing, progress.part(0.9, 1)))};
+  Anatomy anatomy{sampled(model, &PhantomModel::skin, grid, kNear + spacing, progress.part(0, 0.5)),
+                  sampled(model, &PhantomModel::bone, grid, 1.2 + spacing, progress.part(0.5, 0.8)),
+                  sampled(model, &PhantomModel::wall, grid, kNear + spacing, progress.part(0.8, 0.9))};
+  if (model.hasStrands())
+    anatomy.strands = sampled(model, &PhantomModel::strands, grid, kNear + spacing, progress.part(0.9, 1));
+  return anatomy;
 }
 
 std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatomy, int seed,
                                  const Progress& progress) {
   std::vector<float> out(sector.samples(), amplitude(kOutside));
-  const Tissue tissue(anatomy, std::max(0.2f, 0.5f * sector.rangeStep), seed);
+  const float across = std::max(sector.lateralStep(), sector.elevationStep());
+  const Tissue tissue(anatomy, std::max(0.2f, 0.5f * sector.rangeStep), across, seed);
   parallelFor(
       std::ptrdiff_t(sector.laterals) * sector.elevations,
       [&](std::ptrdiff_t column) {
@@ -140,9 +175,10 @@ std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatom
         const std::size_t row = sector.row(j, k);
         float loss = 0;
         for (int i = 0; i < sector.ranges; ++i) {
-          const vec3 p = sector.apex + beam * (sector.firstRange + float(i) * sector.rangeStep);
+          const float range = sector.firstRange + float(i) * sector.rangeStep;
+          const vec3 p = sector.apex + beam * range;
           if (!inView(p)) continue;
-          const Echo echo = tissue.at(p, beam, std::uint32_t(row) + std::uint32_t(i));
+          const Echo echo = tissue.at(p, beam, range, std::uint32_t(row) + std::uint32_t(i));
           loss = std::min(loss + echo.loss * sector.rangeStep, kLostSound);
           out[row + std::size_t(i)] =
               amplitude(-loss) * std::sqrt(echo.scatter * echo.scatter + echo.mirror * echo.mirror);
@@ -152,9 +188,9 @@ std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatom
   return out;
 }
 
-float lossBefore(const SectorGrid& sector, const DistanceGrid& skin, const DistanceGrid& wall,
-                 const vec3& world) {
+float lossBefore(const SectorGrid& sector, const Sight& sight, const vec3& world) {
   constexpr float kSkip = 1, kStep = 0.25f;
+  const DistanceGrid &skin = sight.skin, &wall = sight.wall;
   const float range = glm::distance(world, sector.apex);
   if (range < sector.firstRange) return std::numeric_limits<float>::infinity();
   const vec3 beam = (world - sector.apex) / range;
@@ -162,8 +198,9 @@ float lossBefore(const SectorGrid& sector, const DistanceGrid& skin, const Dista
   for (float r = sector.firstRange; r < range - kSkip; r += step) {
     const vec3 p = sector.apex + beam * r;
     const float toSkin = skin.value(p);
-    if (toSkin < 0) return std::numeric_limits<float>::infinity();
-    step = std::max(kStep, 0.8f * std::min(toSkin - kNear, std::abs(wall.value(p))));
+    const float toStrands = sight.strands ? sight.strands->value(p) : kNear + toSkin;
+    if (toSkin < 0 || toStrands < kInCord) return std::numeric_limits<float>::infinity();
+    step = std::max(kStep, 0.8f * std::min({toSkin - kNear, std::abs(wall.value(p)), toStrands}));
     if (wall.value(p) < 0) loss += kLossMother * step;
     if (toSkin < kNear && grazes(toSkin, incidence(skin.sample(p), beam))) loss += kLossGrazing * step;
   }

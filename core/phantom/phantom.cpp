@@ -49,7 +49,8 @@ Scan makePhantomScan(const PhantomOptions& options, const Progress& progress) {
   const SectorGrid sector = phantomSector(geometry.spacing);
   std::vector<float> signal;
   {
-    const Anatomy anatomy = sampleAnatomy(anatomySpacing(geometry), progress.part(0, 0.25));
+    const Anatomy anatomy =
+        sampleAnatomy(PhantomModel(options), anatomySpacing(geometry), progress.part(0, 0.25));
     signal = echoAmplitude(sector, anatomy, options.seed, progress.part(0.25, 0.55));
   }
   signal = speckleEnvelope(sector, std::move(signal), PointSpread{}, noiseLevels(options.snr), options.seed,
