@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/phantom/distance_grid.h"
 #include "core/phantom/phantom_model.h"
+#include "core/phantom/scene_acoustics.h"
 #include "core/phantom/sector_grid.h"
 
 namespace sonoskin {
@@ -25,7 +26,9 @@ DistanceGrid sampled(const PhantomModel& model, double (PhantomModel::*distance)
                      const Geometry& grid, double band, const Progress& progress);
 
 // sampleAnatomy: the phantom's distances on anatomyGrid(spacing), exact where the sound needs them.
-Anatomy sampleAnatomy(const PhantomModel& model, double spacing, const Progress& progress = {});
+//   skinReach  mm before the skin up to which its distance must be right
+Anatomy sampleAnatomy(const PhantomModel& model, double spacing, float skinReach,
+                      const Progress& progress = {});
 
 // echoAmplitude: the root mean square echo of the scatterers at each sample of the sector.
 //   model    scattering of each tissue with its texture + a thin reflecting layer at each interface, whose
@@ -36,7 +39,7 @@ Anatomy sampleAnatomy(const PhantomModel& model, double spacing, const Progress&
 //   output   sector.samples(), amplitude; 0.7 is a smooth skin that faces the beam
 //   errors   Cancelled
 std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatomy, int seed,
-                                 const Progress& progress = {});
+                                 const SceneAcoustics& acoustics = {}, const Progress& progress = {});
 
 // lossBefore: what the sound loses between the probe and the fluid 1 mm before `world`.
 //   output   dB, there and back; infinite where the baby or the cord is in the way, or before the first range

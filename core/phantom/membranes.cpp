@@ -27,7 +27,7 @@ std::optional<vec3> wallFrom(const vec3& start, const vec3& toward, const WorldD
 }
 
 float strand(const vec3& p, const Membrane& m) {
-  constexpr float kRoot = 1.2f;  // mm thicker at the ends
+  constexpr float kRoot = 0.8f;  // mm thicker at the ends
   const vec3 &a = m.corners[0], &b = m.corners[1];
   const float r = 0.5f * m.thickness;
   const std::array<Joint, 4> joints{

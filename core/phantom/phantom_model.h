@@ -8,6 +8,7 @@
 #include "core/phantom/fetal_arm.h"
 #include "core/phantom/fetal_face.h"
 #include "core/phantom/head_pose.h"
+#include "core/phantom/head_shape.h"
 #include "core/phantom/membranes.h"
 #include "core/phantom/phantom_options.h"
 
@@ -48,13 +49,16 @@ class PhantomModel {
   // facePlaces: of this head in its pose; on the skin of the face, also where a hand lies on it.
   FacePlaces facePlaces() const;
   const HeadPose& head() const { return pose_; }
+  const HeadShape& headShape() const { return shape_; }
 
  private:
   float headAndTrunk(const glm::vec3& head) const;
   float skinOf(const glm::vec3& head) const;
   glm::vec3 toTrunk(const glm::vec3& head) const { return headToTrunk_ * head + trunkShift_; }
   void layTrunk(const ScenePlan& plan);
-  void layArms(const ScenePlan& plan, int shape);
+  bool onFace(const glm::vec3& head) const;
+  void measureFace();
+  void layArms(const ScenePlan& plan);
   void attachLobes(const std::vector<glm::vec3>& directions);
   void addMembranes(int count, std::uint32_t key);
   void layCord(int side, std::uint32_t key);
@@ -66,7 +70,9 @@ class PhantomModel {
   };
 
   HeadPose pose_;
-  float size_ = 1;
+  HeadShape shape_;
+  glm::vec3 eyes_{0}, faceScale_{1};  // between the eyes; sizes of the face beside the first one's
+  float wallBack_ = 0;
   glm::mat3 headToTrunk_{1};
   glm::vec3 trunkShift_{0};
   bool rightArmHangs_ = true, isFirstArm_ = false;

@@ -97,7 +97,7 @@ Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress) {
   mesh.normals.resize(mesh.positions.size());
   mesh.visibility.resize(mesh.positions.size());
   mesh.labels.resize(mesh.positions.size());
-  const SectorGrid sector = phantomSector(voxels.spacing);
+  const SectorGrid sector = sceneSector(options);
   const Truth truth(sector, model, {skin, wall, strands ? &*strands : nullptr});
   const auto count = std::ptrdiff_t(mesh.positions.size());
   parallelFor((count + kBatch - 1) / kBatch,

@@ -73,8 +73,10 @@ void placeHands(ScenePlan& plan, Draw& draw, int seed) {
 // Placenta and wall come from the side of the head that the probe sees less of.
 void attach(ScenePlan& plan, Draw& draw) {
   const float side = plan.turn.yaw > 0 ? -1.f : 1.f;
-  plan.lobes = {draw.about({side * 0.95f, -0.3f, 0.3f}, 0.07f),
+  plan.lobes = {draw.about({side * 0.85f, -0.38f, 0.62f}, 0.06f),
+                draw.about({side * 0.9f, 0.4f, 0.4f}, 0.07f),
                 draw.about({side * 0.62f, -1.25f, 0.25f}, 0.07f)};
+  plan.wallBack = 15;
   plan.membranes = 3 + int(draw.between(0, 2.99f));
 }
 

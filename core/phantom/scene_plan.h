@@ -20,6 +20,7 @@ struct HandPlace {
 // ScenePlan: what a scene puts where. Without a place in `hands` a hand lies beside the mouth, as in `clear`.
 //   trunkTurn   how the trunk lies beside the head
 //   lobes       directions from the middle of the head (its frame) to skin that placenta or wall touches
+//   wallBack    mm that the front wall lies nearer to the probe, so that the volume begins behind it
 //   membranes   how many strands and sheets stand between face and wall
 //   cordSide    -1, 1: the cord lies over the right or left cheek; 0: no cord
 struct ScenePlan {
@@ -28,6 +29,7 @@ struct ScenePlan {
   HeadTurn trunkTurn{0, 0, 0};
   std::vector<HandPlace> hands;
   std::vector<glm::vec3> lobes;
+  float wallBack = 0;
   int membranes = 0;
   int cordSide = 0;
 };

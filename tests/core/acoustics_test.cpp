@@ -87,7 +87,7 @@ TEST(Acoustics, TheWallTakesItsShare) {
 TEST(Acoustics, StopsWhenCancelled) {
   ProgressSink sink;
   sink.cancel = true;
-  EXPECT_THROW(sampleAnatomy(PhantomModel(PhantomOptions{}), 1, Progress(sink)), Cancelled);
+  EXPECT_THROW(sampleAnatomy(PhantomModel(PhantomOptions{}), 1, 0, Progress(sink)), Cancelled);
 }
 
 }  // namespace
