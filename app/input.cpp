@@ -23,7 +23,7 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
 
 Parameters withLandmarks(Parameters parameters, const std::string& input) {
   if (input == kPhantomInput && !hasLandmarks(parameters.landmarks))
-    parameters.landmarks = phantomLandmarks();
+    parameters.landmarks = phantomLandmarks(parameters.phantom);
   return parameters;
 }
 

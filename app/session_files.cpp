@@ -33,7 +33,7 @@ void Session::openFile(const fs::path& path) {
 }
 
 void Session::openPhantom() {
-  open("Simulating the phantom", {{}, "Phantom", phantomLandmarks()},
+  open("Simulating the phantom", {{}, "Phantom", phantomLandmarks(parameters_.phantom)},
        [options = parameters_.phantom](const Progress& progress) {
          return makePhantomScan(options, progress);
        });

@@ -43,14 +43,18 @@ void phantom(const PhantomCommandOptions& options, Console& console) {
   if (!options.truth.empty()) json["truth"] = options.truth;
   json["dims"] = {g.dims.x, g.dims.y, g.dims.z};
   json["spacing_mm"] = {g.spacing.x, g.spacing.y, g.spacing.z};
+  json["scene"] = enumNames(phantom.scene)[std::size_t(phantom.scene)];
+  json["shape"] = phantom.shape;
   json["snr_db"] = phantom.snr;
   json["seed"] = phantom.seed;
   json["key"] = scan.key.hex();
   if (!options.truth.empty()) json["truth_triangles"] = truth.triangles.size();
-  console.print(json.dump(2),
-                fmt::format("{}: {} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm, {} dB, seed {}",
-                            options.out, g.dims.x, g.dims.y, g.dims.z, g.spacing.x, g.spacing.y, g.spacing.z,
-                            phantom.snr, phantom.seed));
+  console.print(
+      json.dump(2),
+      fmt::format("{}: {} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm, {}, shape {}, {} dB, seed {}",
+                  options.out, g.dims.x, g.dims.y, g.dims.z, g.spacing.x, g.spacing.y, g.spacing.z,
+                  enumNames(phantom.scene)[std::size_t(phantom.scene)], phantom.shape, phantom.snr,
+                  phantom.seed));
 }
 
 }  // namespace
@@ -66,6 +70,8 @@ Command addPhantomCommand(CLI::App& program, Console& console) {
                    "mesh of the true skin to write, with what the probe sees: .ply")
       ->type_name("FILE");
   options->parameters.addOne(*command, "dims", "phantom.dims");
+  options->parameters.addOne(*command, "scene", "phantom.scene");
+  options->parameters.addOne(*command, "shape", "phantom.shape");
   options->parameters.addOne(*command, "snr", "phantom.snr");
   options->parameters.addOne(*command, "seed", "phantom.seed");
   options->parameters.addRecipe(*command);

@@ -14,7 +14,7 @@ const std::vector<std::string>& meshExtensions();
 
 // writeMesh: writes a mesh in the format of the name's extension, atomically. The headers of PLY, STL and OBJ say
 // "units mm, SPACE=LPS"; GLB is in metres with +Y up and 3MF in mm, as their standards want (mesh_encoders.h).
-//   input    mesh   world mm, LPS; normals and visibility are kept where the format can hold them
+//   input    mesh   world mm, LPS; normals, visibility and labels are kept where the format can hold them
 //   errors   Error (usage): another extension; Error: no triangles, positions that are not finite, indices or arrays
 //            that do not fit together; (system) the file cannot be written; Cancelled
 void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const Progress& progress = {});

@@ -193,10 +193,13 @@ std::string_view usualName(const std::string& name) {
   return name;
 }
 
+// A label of another program may be anything: beyond a byte it says nothing to us.
+std::uint8_t labelOf(float value) { return value >= 0 && value <= 255 ? std::uint8_t(value) : 0; }
+
 void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
                   const Progress& progress) {
-  static constexpr std::array<std::string_view, 9> kNames{"x",  "y",          "z", "nx", "ny",
-                                                          "nz", "visibility", "s", "t"};
+  static constexpr std::array<std::string_view, 10> kNames{"x",  "y",          "z", "nx", "ny",
+                                                           "nz", "visibility", "s", "t",  "label"};
   std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
   std::array<bool, kNames.size()> has{};
   for (const Property& p : element.properties) {
@@ -217,6 +220,7 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<gl
     mesh.positions.emplace_back(values[0], values[1], values[2]);
     if (normals) mesh.normals.emplace_back(values[3], values[4], values[5]);
     if (has[6]) mesh.visibility.push_back(values[6]);
+    if (has[9]) mesh.labels.push_back(labelOf(values[9]));
     if (has[7] && has[8]) uvs.emplace_back(values[7], values[8]);
   }
 }

@@ -75,6 +75,7 @@ class Clipper {
       result_.positions.push_back(mesh_.positions[v]);
       if (!mesh_.normals.empty()) result_.normals.push_back(mesh_.normals[v]);
       if (!mesh_.visibility.empty()) result_.visibility.push_back(mesh_.visibility[v]);
+      if (!mesh_.labels.empty()) result_.labels.push_back(mesh_.labels[v]);
     }
   }
 
@@ -90,6 +91,7 @@ class Clipper {
       result_.normals.push_back(glm::normalize(glm::mix(mesh_.normals[kept], mesh_.normals[lost], t)));
     if (!mesh_.visibility.empty())
       result_.visibility.push_back(glm::mix(mesh_.visibility[kept], mesh_.visibility[lost], t));
+    if (!mesh_.labels.empty()) result_.labels.push_back(mesh_.labels[kept]);
     return entry->second;
   }
 

@@ -18,8 +18,8 @@ std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, floa
 
 // clipMesh: the part of a mesh where values at its vertices are > 0, cut through triangles on the line where they are 0.
 //   values   one per vertex
-//   output   vertices that no triangle uses are gone; normals and visibility are kept, and interpolated at the cut; a
-//            manifold mesh stays one. Cuts keep a twentieth of an edge's length from its ends
+//   output   vertices that no triangle uses are gone; normals and visibility are kept, and interpolated at the cut;
+//            labels too, there that of the vertex that stays; a manifold mesh stays one. Cuts keep a twentieth of an edge's length from its ends
 Mesh clipMesh(const Mesh& mesh, const std::vector<float>& values);
 
 }  // namespace sonoskin

@@ -213,9 +213,10 @@ void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch&
   }
 }
 
-// Normals and visibility of the vertices from `first` on.
+// Normals, visibility and labels of the vertices from `first` on.
 void completeVertices(Mesh& mesh, std::size_t first) {
   if (!mesh.visibility.empty()) mesh.visibility.resize(mesh.positions.size(), 0.f);
+  if (!mesh.labels.empty()) mesh.labels.resize(mesh.positions.size(), 0);
   if (mesh.normals.empty()) return;
   Mesh shape;
   shape.positions = mesh.positions;

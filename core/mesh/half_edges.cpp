@@ -83,11 +83,13 @@ void compactVertices(Mesh& mesh) {
     mesh.positions[kept] = mesh.positions[v];
     if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[v];
     if (!mesh.visibility.empty()) mesh.visibility[kept] = mesh.visibility[v];
+    if (!mesh.labels.empty()) mesh.labels[kept] = mesh.labels[v];
     number[v] = kept++;
   }
   mesh.positions.resize(kept);
   if (!mesh.normals.empty()) mesh.normals.resize(kept);
   if (!mesh.visibility.empty()) mesh.visibility.resize(kept);
+  if (!mesh.labels.empty()) mesh.labels.resize(kept);
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& v : t) v = number[v];
 }
@@ -108,6 +110,7 @@ void splitFans(Mesh& mesh) {
       mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
       if (!mesh.normals.empty()) mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
       if (!mesh.visibility.empty()) mesh.visibility.push_back(float(mesh.visibility[vertex]));
+      if (!mesh.labels.empty()) mesh.labels.push_back(std::uint8_t(mesh.labels[vertex]));
       vertex = std::uint32_t(mesh.positions.size() - 1);
     } else {
       isTaken[vertex] = true;

@@ -15,7 +15,7 @@ struct Block {
   glm::ivec3 begin, end;
 };
 
-void fillBlock(Volume<float>& grid, const Block& block, DistanceFunction distance, double band) {
+void fillBlock(Volume<float>& grid, const Block& block, const DistanceFunction& distance, double band) {
   const glm::dvec3 low = grid.geometry.toWorld(block.begin), high = grid.geometry.toWorld(block.end - 1);
   const double middle = distance(0.5 * (low + high));
   const bool far = std::abs(middle) > band + kLipschitz * 0.5 * glm::distance(low, high);
@@ -27,7 +27,7 @@ void fillBlock(Volume<float>& grid, const Block& block, DistanceFunction distanc
 
 }  // namespace
 
-Volume<float> sampleDistance(const Geometry& geometry, DistanceFunction distance, double band,
+Volume<float> sampleDistance(const Geometry& geometry, const DistanceFunction& distance, double band,
                              const Progress& progress) {
   Volume<float> grid(geometry);
   const glm::ivec3 blocks = (geometry.dims + (kBlock - 1)) / kBlock;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 
 #include "core/base/progress.h"
@@ -8,7 +9,7 @@
 namespace sonoskin {
 
 // DistanceFunction: a signed distance in the world, mm.
-using DistanceFunction = double (*)(const glm::dvec3& world);
+using DistanceFunction = std::function<double(const glm::dvec3& world)>;
 
 // sampleDistance: a signed distance on a grid, exact to rounding near its zero set.
 //   band     mm; nodes nearer than this to the surface hold the distance, those farther off only its sign and
@@ -16,7 +17,7 @@ using DistanceFunction = double (*)(const glm::dvec3& world);
 //   distance Lipschitz constant at most 1.25 around its zero set
 //   cost     one evaluation per block and one per node of the blocks that the band touches
 //   errors   Cancelled
-Volume<float> sampleDistance(const Geometry& geometry, DistanceFunction distance, double band,
+Volume<float> sampleDistance(const Geometry& geometry, const DistanceFunction& distance, double band,
                              const Progress& progress = {});
 
 // DistanceSample: a distance and its gradient (world, not normalised).

@@ -4,15 +4,16 @@
 
 namespace sonoskin {
 
-// The body of the phantom in the head's frame (see fetal_head.h), mm: shoulders, chest, and the left arm,
-// bent so that the hand lies beside the mouth, the backs of its fingers toward the probe.
+// The trunk of the phantom in the frame of a head that looks straight ahead (see fetal_head.h), mm.
 
-// bodySkin, armSkin: signed distance to the skin of trunk and right arm, and of left arm and hand.
+// Where the trunk turns beside the head, and where the arms begin: the left one; the right one is its mirror.
+inline constexpr glm::vec3 kNeck{0, -42, -8}, kShoulder{34, -57, -4};
+
+// bodySkin: signed distance to the skin of chest and shoulders. rightArmSkin: of a right arm that hangs down.
 float bodySkin(const glm::vec3& p);
-float armSkin(const glm::vec3& p);
+float rightArmSkin(const glm::vec3& p);
 
-// bodyBone, armBone: signed distance to ribs and collar bones, and to the bones of the left arm and hand.
+// bodyBone: signed distance to ribs and collar bones.
 float bodyBone(const glm::vec3& p);
-float armBone(const glm::vec3& p);
 
 }  // namespace sonoskin

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/phantom/fetal_face.h"
+#include "core/phantom/scene_acoustics.h"
 
 namespace sonoskin {
 
@@ -23,5 +24,14 @@ Geometry phantomGeometry(const PhantomOptions& options) {
 }
 
 double anatomySpacing(const Geometry& geometry) { return std::clamp(geometry.minSpacing() / 0.6, 0.5, 1.0); }
+
+SectorGrid sceneSector(const PhantomOptions& options) {
+  const SceneAcoustics a = sceneAcoustics(options.scene);
+  SectorGrid s = phantomSector(phantomGeometry(options).spacing);
+  const float step = std::max(s.elevationStep(), a.planes);
+  if (a.elevationAngle > 0) s.elevationAngle = a.elevationAngle;
+  if (a.elevationAngle > 0 || a.planes > 0) s.elevations = 1 + int(2 * s.elevationAngle / step);
+  return s;
+}
 
 }  // namespace sonoskin

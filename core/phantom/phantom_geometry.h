@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/phantom/phantom_options.h"
+#include "core/phantom/sector_grid.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
@@ -11,5 +12,8 @@ Geometry phantomGeometry(const PhantomOptions& options);
 
 // anatomySpacing: mm; how finely to sample the anatomy for voxels of that size: 0.5 for the default ones.
 double anatomySpacing(const Geometry& geometry);
+
+// sceneSector: the probe's samples for the options' voxels, with the planes and the opening of their scene.
+SectorGrid sceneSector(const PhantomOptions& options);
 
 }  // namespace sonoskin

@@ -4,7 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/mesh/marching_cubes.h"
 #include "core/phantom/acoustics.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/phantom_geometry.h"
 
@@ -14,6 +13,7 @@ namespace {
 constexpr float kFacing = 0.25f;  // least cosine between the normal and the way back to the probe
 constexpr float kShadow = 8;      // dB of loss, there and back, from which skin lies in a shadow
 constexpr float kBorder = 1;      // mm within the sector and the field of view
+constexpr float kClear = 0.8f;    // mm of fluid before skin that can be told from what lies on it
 constexpr std::ptrdiff_t kBatch = 4096;
 
 // boxDistance: to the border of the field of view, negative inside.
@@ -38,7 +38,8 @@ Volume<float> clipToView(Volume<float> skin, const Progress& progress) {
   return skin;
 }
 
-glm::dvec3 gradientOf(double (*distance)(const glm::dvec3&), const glm::dvec3& p) {
+template <class Distance>
+glm::dvec3 gradientOf(Distance&& distance, const glm::dvec3& p) {
   constexpr double h = 0.02;
   glm::dvec3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
@@ -52,29 +53,33 @@ glm::dvec3 gradientOf(double (*distance)(const glm::dvec3&), const glm::dvec3& p
 // Truth: finishes the vertices of a mesh one by one.
 class Truth {
  public:
-  Truth(const SectorGrid& sector, const DistanceGrid& skin, const DistanceGrid& wall)
-      : sector_(sector), skin_(skin), wall_(wall) {}
+  Truth(const SectorGrid& sector, const PhantomModel& model, const Sight& sight)
+      : sector_(sector), model_(model), sight_(sight) {}
 
-  // finish: moves a vertex of the skin onto the exact surface, and finds its normal and visibility.
+  // finish: moves a vertex of the skin onto the exact surface, and finds its normal, visibility and label.
   void finish(Mesh& mesh, std::size_t v) const {
     glm::dvec3 p(mesh.positions[v]);
     const bool cap = boxDistance(p) > -1e-3;
-    const glm::dvec3 gradient = gradientOf(cap ? boxDistance : skinDistance, p);
-    if (!cap) p -= gradient * (skinDistance(p) / std::max(glm::dot(gradient, gradient), 0.25));
+    const auto skin = [&](const glm::dvec3& q) { return model_.skin(q); };
+    const glm::dvec3 gradient = cap ? gradientOf(boxDistance, p) : gradientOf(skin, p);
+    if (!cap) p -= gradient * (skin(p) / std::max(glm::dot(gradient, gradient), 0.25));
     mesh.positions[v] = glm::vec3(p);
     mesh.normals[v] = glm::vec3(glm::normalize(gradient));
     mesh.visibility[v] = !cap && seen(mesh.positions[v], mesh.normals[v]) ? 1.f : 0.f;
+    mesh.labels[v] = std::uint8_t(model_.part(p));
   }
 
  private:
   bool seen(const glm::vec3& p, const glm::vec3& normal) const {
     if (boxDistance(p) > -double(kBorder) || !sector_.contains(p, kBorder)) return false;
     if (glm::dot(normal, glm::normalize(sector_.apex - p)) <= kFacing) return false;
-    return lossBefore(sector_, skin_, wall_, p) < kShadow;
+    if (model_.touches() && model_.other(glm::dvec3(p + kClear * normal)) < 0) return false;
+    return lossBefore(sector_, sight_, p) < kShadow;
   }
 
   const SectorGrid& sector_;
-  const DistanceGrid &skin_, &wall_;
+  const PhantomModel& model_;
+  const Sight sight_;
 };
 
 }  // namespace
@@ -82,13 +87,18 @@ class Truth {
 Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress) {
   const Geometry voxels = phantomGeometry(options);
   const Geometry grid = anatomyGrid(anatomySpacing(voxels));
-  const DistanceGrid skin(sampleDistance(grid, skinDistance, 2.5, progress.part(0, 0.5)));
-  const DistanceGrid wall(sampleDistance(grid, wallDistance, 1, progress.part(0.5, 0.55)));
+  const PhantomModel model(options);
+  const DistanceGrid skin = sampled(model, &PhantomModel::skin, grid, 2.5, progress.part(0, 0.5));
+  const DistanceGrid wall = sampled(model, &PhantomModel::wall, grid, 1, progress.part(0.5, 0.53));
+  std::optional<DistanceGrid> strands;
+  if (model.hasStrands())
+    strands = sampled(model, &PhantomModel::strands, grid, 2.5, progress.part(0.53, 0.55));
   Mesh mesh = marchingCubes(clipToView(skin.samples(), progress.part(0.55, 0.6)), 0, progress.part(0.6, 0.7));
   mesh.normals.resize(mesh.positions.size());
   mesh.visibility.resize(mesh.positions.size());
-  const SectorGrid sector = phantomSector(voxels.spacing);
-  const Truth truth(sector, skin, wall);
+  mesh.labels.resize(mesh.positions.size());
+  const SectorGrid sector = sceneSector(options);
+  const Truth truth(sector, model, {skin, wall, strands ? &*strands : nullptr});
   const auto count = std::ptrdiff_t(mesh.positions.size());
   parallelFor((count + kBatch - 1) / kBatch,
               [&](std::ptrdiff_t batch) {

@@ -81,9 +81,9 @@ Coarse meanPower(const SectorGrid& s, const std::vector<float>& amplitude, const
   return c;
 }
 
-void smear(Coarse& c, const SectorGrid& s) {
-  const float degrees3 = glm::radians(3.f);
-  const auto range = gaussTaps(1.2f / (s.rangeStep * kBrick), Keep::mean);
+void smear(Coarse& c, const SectorGrid& s, float reach) {
+  const float degrees3 = glm::radians(3.f) * reach;
+  const auto range = gaussTaps(1.2f * reach / (s.rangeStep * kBrick), Keep::mean);
   const auto lateral = gaussTaps(degrees3 / (s.lateralStep() * kBrick), Keep::mean);
   const auto elevation = gaussTaps(degrees3 / (s.elevationStep() * kBrickElevation), Keep::mean);
   const auto n = std::size_t(c.grid.ranges);
@@ -97,11 +97,11 @@ void smear(Coarse& c, const SectorGrid& s) {
 
 }  // namespace
 
-void addClutter(const SectorGrid& s, std::vector<float>& amplitude, float clutterDecibel,
+void addClutter(const SectorGrid& s, std::vector<float>& amplitude, const NoiseLevels& noise,
                 const Progress& progress) {
   Coarse c = meanPower(s, amplitude, progress.part(0, 0.4));
-  smear(c, s);
-  const float share = amplitudeOf(2 * clutterDecibel);
+  smear(c, s, noise.reach);
+  const float share = amplitudeOf(2 * noise.clutter);
   parallelFor(
       s.elevations,
       [&](std::ptrdiff_t k) {
@@ -117,7 +117,7 @@ void addClutter(const SectorGrid& s, std::vector<float>& amplitude, float clutte
 std::vector<float> speckleEnvelope(const SectorGrid& s, std::vector<float> amplitude,
                                    const PointSpread& spread, const NoiseLevels& noise, int seed,
                                    const Progress& progress) {
-  addClutter(s, amplitude, noise.clutter, progress.part(0, 0.2));
+  addClutter(s, amplitude, noise, progress.part(0, 0.2));
   std::vector<float> re = std::move(amplitude), im(s.samples());
   const auto alongRange = gaussTaps(spread.range / s.rangeStep, Keep::power);
   const auto alongLateral = gaussTaps(spread.lateral / s.lateralStep(), Keep::power);

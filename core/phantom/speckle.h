@@ -17,8 +17,9 @@ struct PointSpread {
 //   receiver   noise of the amplifier at the probe; it rises with depth, by 8 dB over the whole range: the
 //              gain that makes up for the attenuation
 //   clutter    side lobes and reverberation: part of the echoes within some millimetres, smeared
+//   reach      how far that clutter goes: times 1.2 mm by 3 by 3 degrees (standard deviations)
 struct NoiseLevels {
-  float receiver, clutter;
+  float receiver, clutter, reach = 1;
 };
 
 // speckleEnvelope: the envelope of the received signal: independent complex scatterers at every sample,
@@ -33,8 +34,8 @@ std::vector<float> speckleEnvelope(const SectorGrid& sector, std::vector<float> 
                                    const Progress& progress = {});
 
 // addClutter: raises each amplitude^2 by clutter times the mean of its neighbourhood's (Gaussian,
-// 1.2 mm by 3 by 3 degrees).
-void addClutter(const SectorGrid& sector, std::vector<float>& amplitude, float clutterDecibel,
+// `reach` times 1.2 mm by 3 by 3 degrees).
+void addClutter(const SectorGrid& sector, std::vector<float>& amplitude, const NoiseLevels& noise,
                 const Progress& progress = {});
 
 }  // namespace sonoskin

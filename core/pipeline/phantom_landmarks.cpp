@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/phantom/fetal_face.h"
+#include "core/phantom/phantom_model.h"
 
 namespace sonoskin {
 namespace {
@@ -14,8 +14,8 @@ std::array<double, 3> rounded(const glm::dvec3& p) {
 
 }  // namespace
 
-LandmarkOptions phantomLandmarks() {
-  const FacePlaces places = facePlaces();
+LandmarkOptions phantomLandmarks(const PhantomOptions& options) {
+  const FacePlaces places = PhantomModel(options).facePlaces();
   return {rounded(places.rightEye), rounded(places.leftEye), rounded(places.noseTip),
           rounded(places.mouthRight), rounded(places.mouthLeft)};
 }

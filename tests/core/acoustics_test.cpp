@@ -71,9 +71,9 @@ TEST(Acoustics, SoundFadesWithDepth) {
 TEST(Acoustics, TheBabyHidesWhatLiesBehindIt) {
   const SectorGrid sector = coarseSector();
   const DistanceGrid skin = sampled(facing), wall = sampled(nowhere);
-  EXPECT_EQ(lossBefore(sector, skin, wall, {70, 40, 56}), 0);
-  EXPECT_EQ(lossBefore(sector, skin, wall, {70, 50, 56}), std::numeric_limits<float>::infinity());
-  EXPECT_EQ(lossBefore(sector, skin, wall, {70, -10, 56}), std::numeric_limits<float>::infinity());
+  EXPECT_EQ(lossBefore(sector, {skin, wall}, {70, 40, 56}), 0);
+  EXPECT_EQ(lossBefore(sector, {skin, wall}, {70, 50, 56}), std::numeric_limits<float>::infinity());
+  EXPECT_EQ(lossBefore(sector, {skin, wall}, {70, -10, 56}), std::numeric_limits<float>::infinity());
 }
 
 TEST(Acoustics, TheWallTakesItsShare) {
@@ -81,13 +81,13 @@ TEST(Acoustics, TheWallTakesItsShare) {
   const DistanceGrid skin = sampled(nowhere);
   const DistanceGrid wall =
       sampled([](const dvec3& p) { return p.y - 20; });  // 20 mm of muscle at 0.06 dB/mm
-  EXPECT_NEAR(lossBefore(sector, skin, wall, {70.05f, 35, 55.8f}), 1.2, 0.15);
+  EXPECT_NEAR(lossBefore(sector, {skin, wall}, {70.05f, 35, 55.8f}), 1.2, 0.15);
 }
 
 TEST(Acoustics, StopsWhenCancelled) {
   ProgressSink sink;
   sink.cancel = true;
-  EXPECT_THROW(sampleAnatomy(1, Progress(sink)), Cancelled);
+  EXPECT_THROW(sampleAnatomy(PhantomModel(PhantomOptions{}), 1, 0, Progress(sink)), Cancelled);
 }
 
 }  // namespace

@@ -66,6 +66,19 @@ TEST(WriteMesh, PlyKeepsVisibility) {
   EXPECT_EQ(read.triangles, mesh.triangles);
 }
 
+TEST(WriteMesh, PlyKeepsLabels) {
+  const TempFolder folder;
+  Mesh mesh = icosphere(1, 1, {});
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.labels.push_back(std::uint8_t(6 * v));
+  writeMesh(folder / "a.ply", mesh);
+  const Mesh read = readMesh(folder / "a.ply");
+  EXPECT_EQ(read.labels, mesh.labels);
+  EXPECT_EQ(read.positions, mesh.positions);
+  EXPECT_TRUE(read.visibility.empty());
+  mesh.labels.pop_back();
+  EXPECT_THROW(writeMesh(folder / "b.ply", mesh), Error);
+}
+
 TEST(WriteMesh, GlbStandsUprightInMetres) {
   const TempFolder folder;
   Mesh mesh = icosphere(1, 100, {1, 2, 3000});  // the head is up: large z in LPS

@@ -87,6 +87,32 @@ TEST(PhantomTruth, NothingHidesWhatIsSeen) {
   }
 }
 
+// share: of the truth's vertices within a box that carry a label.
+double share(BodyPart part, const glm::vec3& low, const glm::vec3& high) {
+  int inside = 0, with = 0;
+  for (std::size_t v = 0; v < truth().positions.size(); ++v) {
+    const glm::vec3& p = truth().positions[v];
+    if (!glm::all(glm::lessThan(low, p)) || !glm::all(glm::lessThan(p, high))) continue;
+    ++inside, with += truth().labels[v] == std::uint8_t(part);
+  }
+  EXPECT_GT(inside, 20);
+  return with / std::max(1., double(inside));
+}
+
+TEST(PhantomTruth, LabelsTheParts) {
+  ASSERT_EQ(truth().labels.size(), truth().positions.size());
+  const FacePlaces f = facePlaces();
+  for (const glm::dvec3& p : {f.rightEye, f.leftEye, f.noseTip, f.mouthRight})
+    EXPECT_EQ(share(BodyPart::face, glm::vec3(p) - 4.f, glm::vec3(p) + 4.f), 1);
+  EXPECT_EQ(share(BodyPart::head, {0, 50, 30}, {18, 76.4f, 80}), 1) << "crown";
+  EXPECT_EQ(share(BodyPart::head, {40, 50, 92}, {70, 76.4f, 105}), 1) << "ear";
+  EXPECT_EQ(share(BodyPart::hand, {82, 20, 64}, {92, 31, 90}), 1) << "fingers";
+  EXPECT_EQ(share(BodyPart::body, {125, 60, 5}, {140, 76.4f, 80}), 1) << "chest";
+  int face = 0;
+  for (const std::uint8_t label : truth().labels) face += label == std::uint8_t(BodyPart::face);
+  EXPECT_GT(face, int(truth().labels.size() / 10));
+}
+
 TEST(PhantomTruth, IsTheSameOnAnyNumberOfThreads) {
   setThreadCount(1);
   const Mesh one = makePhantomTruth(smallOptions());

@@ -96,7 +96,7 @@ TEST(Speckle, ClutterSpreadsEchoesIntoTheirNeighbourhood) {
   for (int i = 0; i < s.ranges; ++i) amplitude[s.row(60, 12) + std::size_t(i)] = 1;
   const std::size_t middle = s.row(0, 12) + 200;
   const auto before = amplitude;
-  addClutter(s, amplitude, -20);
+  addClutter(s, amplitude, {-200, -20});
   const auto at = [&](int j) { return amplitude[middle + s.row(j, 0)]; };
   EXPECT_GT(at(64), at(75));
   EXPECT_GT(at(75), at(110));
