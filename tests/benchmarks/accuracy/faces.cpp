@@ -23,15 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Case: one simulated baby, with the parameters of its run.
+// Case: one simulated baby, with the parameters of its runs: one for each setting of a sweep.
 struct Case {
   std::string scene;
   Parameters parameters;
+  std::vector<Setting> settings;
 
   std::string name() const {
     return fmt::format("{}-{}-{}", scene, parameters.phantom.shape, parameters.phantom.seed);
   }
 };
+
+// A value of a sweep marks the files that it leads to.
+std::string fileOf(const Case& one, const Setting& setting) {
+  return one.name() + (setting.name.empty() ? "" : "-" + setting.value) + ".ply";
+}
 
 std::vector<std::string> everyScene() {
   std::vector<std::string> names;
@@ -58,13 +64,33 @@ std::vector<Case> casesOf(const FacesOptions& options, const Given& given) {
   for (const std::string& scene : scenes)
     for (const int shape : shapes)
       for (const int seed : seeds) {
-        Case next{scene, base};
+        Case next{scene, base, {}};
         apply({"phantom.scene", scene}, next.parameters);
         if (given.dims.empty() && !given.names("phantom.dims")) next.parameters.phantom.dims = {256, 144, 72};
         next.parameters.phantom.shape = shape, next.parameters.phantom.seed = seed;
         cases.push_back(next);
       }
   return cases;
+}
+
+// withSweep: the settings belong to each case, unless they change the simulation: then each makes a case of its own.
+std::vector<Case> withSweep(const std::vector<Case>& cases, const std::string& sweep) {
+  const std::vector<Setting> settings = sweep.empty() ? std::vector<Setting>{{}} : parseSettings(sweep);
+  std::vector<Case> result;
+  for (Case one : cases) {
+    one.settings = settings;
+    if (!sweep.starts_with("phantom.")) {
+      result.push_back(one);
+      continue;
+    }
+    for (const Setting& setting : settings) {
+      Case changed = one;
+      apply(setting, changed.parameters);
+      changed.settings = {setting};
+      result.push_back(changed);
+    }
+  }
+  return result;
 }
 
 void makeFolders(const FacesOptions& options) {
@@ -83,16 +109,13 @@ void writePoints(const fs::path& path, const SurfacePoints& points) {
 // FaceBench: judges one case after another.
 class FaceBench {
  public:
-  FaceBench(const FacesOptions& options, std::vector<Setting> sweep)
-      : options_(options), sweep_(std::move(sweep)) {
-    if (sweep_.empty()) sweep_.push_back({});
-  }
+  explicit FaceBench(const FacesOptions& options) : options_(options) {}
 
   void judge(const Case& one) {
     const FaceTruth truth(makePhantomTruth(one.parameters.phantom), phantomFeatures(one.parameters.phantom));
     if (!options_.meshesFrom.empty()) {
       const Mesh mesh = readMesh(fs::path(options_.meshesFrom) / (one.name() + ".ply"));
-      return keep(one, {}, scoreFace(mesh, truth));
+      return keep(one, one.settings.front(), scoreFace(mesh, truth));
     }
     const Scan scan = makePhantomScan(one.parameters.phantom);
     if (!options_.exportTo.empty()) {
@@ -100,18 +123,18 @@ class FaceBench {
       writeMesh(fs::path(options_.exportTo) / (one.name() + "-truth.ply"), truth.skin());
     }
     Pipeline pipeline;
-    for (const Setting& setting : sweep_) {
+    for (const Setting& setting : one.settings) {
       Parameters parameters = one.parameters;
       if (!setting.name.empty()) apply(setting, parameters);
-      keep(one, setting, run(one, pipeline, scan, parameters, truth));
+      keep(one, setting, run(pipeline, scan, parameters, truth, fileOf(one, setting)));
     }
   }
 
   const std::vector<FaceRow>& rows() const { return rows_; }
 
  private:
-  FaceScore run(const Case& one, Pipeline& pipeline, const Scan& scan, const Parameters& parameters,
-                const FaceTruth& truth) const {
+  FaceScore run(Pipeline& pipeline, const Scan& scan, const Parameters& parameters, const FaceTruth& truth,
+                const std::string& file) const {
     const std::clock_t cpu = std::clock();
     const Timer timer;
     try {
@@ -119,13 +142,11 @@ class FaceBench {
       const double seconds = double(std::clock() - cpu) / CLOCKS_PER_SEC, wall = timer.seconds();
       FaceScore score = scoreFace(*results.mesh, truth);
       score.cpuSeconds = seconds, score.wallSeconds = wall;
-      if (!options_.pointsTo.empty())
-        writePoints(fs::path(options_.pointsTo) / (one.name() + ".ply"), *results.points);
-      if (!options_.keepTo.empty())
-        writeMesh(fs::path(options_.keepTo) / (one.name() + ".ply"), *results.mesh);
+      if (!options_.pointsTo.empty()) writePoints(fs::path(options_.pointsTo) / file, *results.points);
+      if (!options_.keepTo.empty()) writeMesh(fs::path(options_.keepTo) / file, *results.mesh);
       return score;
     } catch (const Error& error) {
-      std::fprintf(stderr, "%s: %s\n", one.name().c_str(), error.what());
+      std::fprintf(stderr, "%s: %s\n", file.c_str(), error.what());
       return {};
     }
   }
@@ -136,7 +157,6 @@ class FaceBench {
   }
 
   const FacesOptions& options_;
-  std::vector<Setting> sweep_;
   std::vector<FaceRow> rows_;
 };
 
@@ -156,9 +176,9 @@ void addOptions(CLI::App& app, FacesOptions& options) {
 }
 
 void printFaceTables(const FacesOptions& options, const Given& given, const std::string& sweep) {
-  const std::vector<Case> cases = casesOf(options, given);
+  const std::vector<Case> cases = withSweep(casesOf(options, given), sweep);
   makeFolders(options);
-  FaceBench bench(options, sweep.empty() ? std::vector<Setting>{} : parseSettings(sweep));
+  FaceBench bench(options);
   for (const Case& one : cases) {
     bench.judge(one);
     if (options.csv.empty()) continue;

@@ -30,8 +30,8 @@ void addOptions(CLI::App& app, FacesOptions& options);
 // printFaceTables: runs the whole pipeline on every case, 256x144x72 voxels unless others are given, and prints how good
 // the meshes are (faces_score.h), as Markdown. A case without a surface is named on standard error and counts as nothing
 // covered.
-//   sweep    "group.field=value,value,...", or empty: every case once for each value. Stages that do not depend on the
-//            parameter are not repeated, and the seconds are without them.
+//   sweep    "group.field=value,value,...", or empty: every case once for each value, which becomes part of the names of
+//            the files. Stages that do not depend on the parameter are not repeated, and the seconds are without them.
 //   errors   Error: an unknown scene or parameter, a file that cannot be read or written
 void printFaceTables(const FacesOptions& options, const Given& given, const std::string& sweep);
 

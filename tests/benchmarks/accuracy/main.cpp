@@ -117,6 +117,7 @@ void runAll(const Request& request) {
   const Parameters parameters = parametersOf(request.given);
   if (request.reconstruction) return printReconstructionTables(parameters);
   if (request.skin) return printSkinTables(parameters);
+  require(!request.given.names("phantom.snr"), "phantom.snr: the levels set it; choose some with --levels");
   const Truth truth(parameters.phantom);
   const ContrastMeter meter(parameters.phantom);
   std::vector<Row> all;
