@@ -62,6 +62,7 @@ TEST(FacesScore, TruthIsPerfect) {
   EXPECT_EQ(score.covered, 1);
   EXPECT_EQ(score.foreign, 0);
   EXPECT_EQ(score.spurs, 0);
+  EXPECT_EQ(score.spurless, 1);
   EXPECT_LT(score.interior, 1e-4);
   EXPECT_TRUE(std::isnan(score.border)) << "a closed surface has no border";
   EXPECT_TRUE(std::isnan(score.coveredFace)) << "there are no labels";
@@ -123,6 +124,8 @@ TEST(FacesScore, AFinIsOneSpur) {
   const Mesh mesh = joinPieces({ball(), fin(6)});
   const FaceScore score = scoreFace(mesh, truth);
   EXPECT_EQ(score.spurs, 1);
+  EXPECT_EQ(score.spurless, 0);
+  EXPECT_NEAR(score.spurY, -kRadius - 3.75, 0.3);
   EXPECT_NEAR(score.spurArea, 2 * 4.5, 1.1);  // from 1.5 mm outward
   EXPECT_NEAR(double(glm::distance(findSpurs(mesh, truth).largest, {0, -kRadius - 3.75f, 0})), 0, 0.3);
   const FaceScore two =

@@ -28,6 +28,12 @@ TEST(FacesTable, SaysMedianAndWorstOfEveryScene) {
   EXPECT_TRUE(contains(tables, "| all | 4 | 0.35 (0.60) |"));
 }
 
+TEST(FacesTable, SaysHowManyRunsHaveNoSpur) {
+  std::vector<FaceRow> rows{row("clear", 1, 0, 1), row("clear", 2, 0, 1), row("clear", 3, 0, 1)};
+  rows[0].score.spurless = rows[1].score.spurless = 1, rows[2].score.spurless = 0;
+  EXPECT_TRUE(contains(faceTables(rows), "| 67 |"));
+}
+
 TEST(FacesTable, KeepsTheValuesOfASweepApart) {
   FaceRow other = row("clear", 1, 0.5, 1);
   other.settings = "mesh.maxGap=6";

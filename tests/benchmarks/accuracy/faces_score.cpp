@@ -185,6 +185,14 @@ void scoreDetail(const std::vector<Partner>& partners, const FaceTruth& truth, F
   score.detail = all.value();
 }
 
+void scoreSpurs(const Spurs& spurs, FaceScore& score) {
+  score.spurs = double(spurs.count), score.spurArea = spurs.area;
+  score.spurless = spurs.count == 0 ? 1 : 0;
+  if (spurs.count == 0) return;
+  const glm::dvec3 at(spurs.largest);
+  score.spurX = at.x, score.spurY = at.y, score.spurZ = at.z;
+}
+
 }  // namespace
 
 FaceScore scoreFace(const Mesh& mesh, const FaceTruth& truth) {
@@ -200,8 +208,7 @@ FaceScore scoreFace(const Mesh& mesh, const FaceTruth& truth) {
   const std::vector<Partner> partners = findPartners(mesh, truth, isInsideOut(places));
   scoreCoverage(partners, truth, score);
   scoreDetail(partners, truth, score);
-  const Spurs spurs = findSpurs(mesh, truth);
-  score.spurs = double(spurs.count), score.spurArea = spurs.area;
+  scoreSpurs(findSpurs(mesh, truth), score);
   score.triangles = double(mesh.triangles.size()), score.area = surfaceArea(mesh);
   return score;
 }

@@ -23,7 +23,8 @@ namespace sonoskin::accuracy {
 //                     parts with that label
 //   foreign           share of the mesh's area that is foreign
 //   spurs, spurArea   number and mm² of the connected parts of the mesh that have no truth within 1.5 mm and somewhere
-//                     none within 2 mm (findSpurs); tissue that is not the baby's counts too
+//                     none within 2 mm (findSpurs); tissue that is not the baby's counts too. spurless: 1 if there is
+//                     none, else 0. spurX, spurY, spurZ: the middle of the one with the largest area, world mm
 //   eyes, nose, mouth, detail    mean angle in degrees between the normals of the truth and of the mesh's nearest place,
 //                     over the visible truth at each feature, and over all of them; places that the mesh misses by more
 //                     than 2 mm count as 90 degrees. A mesh that is turned inside out as a whole is turned back first.
@@ -38,7 +39,8 @@ struct FaceScore {
   double rmsAll = kUnknown, maxAll = kUnknown, borderAll = kUnknown;
   double covered = 0;
   double coveredFace = kUnknown, coveredHead = kUnknown, coveredHand = kUnknown, coveredBody = kUnknown;
-  double foreign = kUnknown, spurs = kUnknown, spurArea = kUnknown;
+  double foreign = kUnknown, spurs = kUnknown, spurArea = kUnknown, spurless = kUnknown;
+  double spurX = kUnknown, spurY = kUnknown, spurZ = kUnknown;
   double eyes = kUnknown, nose = kUnknown, mouth = kUnknown, detail = kUnknown;
   double landmarks = kUnknown, pose = kUnknown;
   double cpuSeconds = kUnknown, wallSeconds = kUnknown;

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace sonoskin::accuracy {
 namespace {
 
-enum class Worst { largest, smallest, farthest };  // farthest: from 0
+// How the runs of a scene become a cell: median and worst, or the mean alone. farthest: from 0.
+enum class Worst { largest, smallest, farthest, mean };
 
 // Metric: one number of a score, as CSV and tables have it.
 struct Metric {
@@ -32,6 +34,7 @@ constexpr Metric kSurface[] = {
     {"foreign", "foreign %", &FaceScore::foreign, 1, 100},
     {"spurs", "spurs", &FaceScore::spurs, 0},
     {"spur_area_mm2", "spurs mm²", &FaceScore::spurArea, 0},
+    {"spurless", "runs without %", &FaceScore::spurless, 0, 100, Worst::mean},
     {"detail_deg", "detail °", &FaceScore::detail, 1},
     {"landmarks_mm", "landmarks mm", &FaceScore::landmarks, 1},
     {"pose_deg", "pose °", &FaceScore::pose, 1},
@@ -51,6 +54,13 @@ constexpr Metric kMore[] = {
     {"area_mm2", "area mm²", &FaceScore::area, 0, 1, Worst::smallest},
     {"triangles", "triangles", &FaceScore::triangles, 0},
     {"wall_s", "wall s", &FaceScore::wallSeconds, 1},
+};
+
+// In the CSV alone.
+constexpr Metric kPlaces[] = {
+    {"spur_x_mm", "", &FaceScore::spurX},
+    {"spur_y_mm", "", &FaceScore::spurY},
+    {"spur_z_mm", "", &FaceScore::spurZ},
 };
 
 using Metrics = std::span<const Metric>;
@@ -73,6 +83,10 @@ std::string cell(const Rows& rows, const Metric& metric) {
   std::vector<double> values = valuesOf(rows, metric);
   if (values.empty()) return " - |";
   std::sort(values.begin(), values.end());
+  if (metric.worst == Worst::mean) {
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+    return fmt::format(" {:.{}f} |", metric.unit * mean, metric.decimals);
+  }
   const double median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
   return fmt::format(" {:.{}f} ({:.{}f}) |", metric.unit * median, metric.decimals,
                      metric.unit * worstOf(values, metric.worst), metric.decimals);
@@ -121,17 +135,18 @@ std::string faceTables(const std::vector<FaceRow>& rows) {
 }
 
 std::string faceCsv(const std::vector<FaceRow>& rows) {
+  std::vector<Metric> metrics;
+  for (const Metrics some : {Metrics(kSurface), Metrics(kMore), Metrics(kPlaces)})
+    metrics.insert(metrics.end(), some.begin(), some.end());
   std::string text = "scene,shape,seed,settings";
-  for (const Metrics metrics : {Metrics(kSurface), Metrics(kMore)})
-    for (const Metric& metric : metrics) text += fmt::format(",{}", metric.key);
+  for (const Metric& metric : metrics) text += fmt::format(",{}", metric.key);
   text += "\n";
   for (const FaceRow& row : rows) {
     text += fmt::format("{},{},{},{}", row.scene, row.shape, row.seed, row.settings);
-    for (const Metrics metrics : {Metrics(kSurface), Metrics(kMore)})
-      for (const Metric& metric : metrics) {
-        const double value = row.score.*metric.value;
-        text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);
-      }
+    for (const Metric& metric : metrics) {
+      const double value = row.score.*metric.value;
+      text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);
+    }
     text += "\n";
   }
   return text;

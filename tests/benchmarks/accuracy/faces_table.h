@@ -16,7 +16,7 @@ struct FaceRow {
 };
 
 // faceTables: for every scene and setting, in order of appearance, and for all scenes together: median and, in brackets,
-// the worst over its rows; "-" where nothing is known. Markdown.
+// the worst over its rows (the mean of shares of runs); "-" where nothing is known. Markdown.
 std::string faceTables(const std::vector<FaceRow>& rows);
 
 // faceCsv: a line of names, and one line for each row; empty where nothing is known.
