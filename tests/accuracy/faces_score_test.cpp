@@ -18,7 +18,7 @@ using test::icosphere;
 
 constexpr float kRadius = 20;
 
-FeaturePlaces noFeatures() { return {}; }
+FaceAnatomy nothingElse() { return {}; }
 
 // A ball as baby; the probe, at -y, sees the half before it.
 Mesh ball() {
@@ -54,7 +54,7 @@ Mesh fin(float length) {
 }
 
 TEST(FacesScore, TruthIsPerfect) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   const FaceScore score = scoreFace(ball(), truth);
   EXPECT_LT(score.rms, 1e-4);
   EXPECT_LT(score.max, 1e-3);
@@ -71,7 +71,7 @@ TEST(FacesScore, TruthIsPerfect) {
 }
 
 TEST(FacesScore, AnOffsetIsItsDistance) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   for (const float offset : {0.5f, -0.5f}) {
     const FaceScore score = scoreFace(icosphere(5, kRadius + offset, {0, 0, 0}), truth);
     EXPECT_NEAR(score.rms, 0.5, 0.01);
@@ -86,7 +86,7 @@ TEST(FacesScore, AnOffsetIsItsDistance) {
 }
 
 TEST(FacesScore, OnlyWhatTheProbeSeesCounts) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   // Right before the equator, 2 mm off beyond it: nothing of that is seen.
   Mesh mesh = ball();
   for (glm::vec3& p : mesh.positions)
@@ -100,7 +100,7 @@ TEST(FacesScore, OnlyWhatTheProbeSeesCounts) {
 TEST(FacesScore, LabelsHaveSharesOfTheirOwn) {
   Mesh labelled = ball();
   for (const glm::vec3& p : labelled.positions) labelled.labels.push_back(p.x < 0 ? 0 : 2);
-  const FaceTruth truth(labelled, noFeatures());
+  const FaceTruth truth(labelled, nothingElse());
   const FaceScore score = scoreFace(partOf(ball(), [](const glm::vec3& p) { return p.x < 0; }), truth);
   EXPECT_GT(score.coveredFace, 0.98);
   EXPECT_LT(score.coveredHand, 0.06);
@@ -108,7 +108,7 @@ TEST(FacesScore, LabelsHaveSharesOfTheirOwn) {
 }
 
 TEST(FacesScore, ForeignTissueIsAShareAndNoDistance) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   const Mesh other = icosphere(4, 5, {0, -30, 0});  // 5 mm before the baby
   const FaceScore score = scoreFace(joinPieces({ball(), other}), truth);
   EXPECT_NEAR(score.foreign, 25.0 / 425, 0.003);
@@ -117,10 +117,14 @@ TEST(FacesScore, ForeignTissueIsAShareAndNoDistance) {
   EXPECT_GT(score.rmsAll, 2);
   EXPECT_EQ(score.spurs, 1);
   EXPECT_NEAR(score.spurArea, areaOf(5), 0.02 * areaOf(5));
+  EXPECT_EQ(score.tissue, 0) << "nothing is known of it";
+  FaceAnatomy anatomy;
+  anatomy.other = [](const glm::dvec3& p) { return p.y + 31; };  // a half space; 6 mm of the sphere's 10
+  EXPECT_NEAR(scoreFace(joinPieces({ball(), other}), FaceTruth(ball(), anatomy)).tissue, 15.0 / 425, 0.003);
 }
 
 TEST(FacesScore, AFinIsOneSpur) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   const Mesh mesh = joinPieces({ball(), fin(6)});
   const FaceScore score = scoreFace(mesh, truth);
   EXPECT_EQ(score.spurs, 1);
@@ -135,7 +139,7 @@ TEST(FacesScore, AFinIsOneSpur) {
 }
 
 TEST(FacesScore, TheBorderIsApart) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   // A cap around -y whose outermost 3 mm are bent outward.
   Mesh cap = partOf(icosphere(6, kRadius, {0, 0, 0}), [](const glm::vec3& p) { return p.y < -10; });
   for (glm::vec3& p : cap.positions)
@@ -147,9 +151,9 @@ TEST(FacesScore, TheBorderIsApart) {
 }
 
 TEST(FacesScore, DetailIsTheAngleBetweenNormals) {
-  FeaturePlaces features;
-  features.nose = {{0, -kRadius, 0}, 6};
-  const FaceTruth truth(ball(), features);
+  FaceAnatomy anatomy;
+  anatomy.features.nose = {{0, -kRadius, 0}, 6};
+  const FaceTruth truth(ball(), anatomy);
   EXPECT_LT(scoreFace(ball(), truth).nose, 0.5);
   EXPECT_TRUE(std::isnan(scoreFace(ball(), truth).eyes));
 
@@ -169,7 +173,7 @@ TEST(FacesScore, DetailIsTheAngleBetweenNormals) {
 }
 
 TEST(FacesScore, NothingCoversNothing) {
-  const FaceTruth truth(ball(), noFeatures());
+  const FaceTruth truth(ball(), nothingElse());
   const FaceScore score = scoreFace(Mesh{}, truth);
   EXPECT_EQ(score.covered, 0);
   EXPECT_TRUE(std::isnan(score.rms));

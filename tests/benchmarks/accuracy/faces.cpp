@@ -112,7 +112,7 @@ class FaceBench {
   explicit FaceBench(const FacesOptions& options) : options_(options) {}
 
   void judge(const Case& one) {
-    const FaceTruth truth(makePhantomTruth(one.parameters.phantom), phantomFeatures(one.parameters.phantom));
+    const FaceTruth truth(makePhantomTruth(one.parameters.phantom), phantomAnatomy(one.parameters.phantom));
     if (!options_.meshesFrom.empty()) {
       const Mesh mesh = readMesh(fs::path(options_.meshesFrom) / (one.name() + ".ply"));
       return keep(one, one.settings.front(), scoreFace(mesh, truth));

@@ -28,7 +28,7 @@ void forEachBatch(std::size_t count, const Body& body) {
 struct MeshPlace {
   FaceTruth::Foot foot;
   bool facesAlike = true;  // the mesh's normal and the truth's
-  bool isNearBorder = false;
+  bool isNearBorder = false, isTissue = false;
 
   bool isForeign() const { return std::abs(foot.distance) > kForeign; }
 };
@@ -57,6 +57,7 @@ std::vector<MeshPlace> measurePlaces(const Mesh& mesh, const FaceTruth& truth) {
     for (std::size_t i = from; i < to; ++i) {
       result[i].foot = truth.foot(places.positions[i], guess);
       result[i].facesAlike = glm::dot(result[i].foot.normal, places.normals[i]) > 0;
+      result[i].isTissue = result[i].isForeign() && truth.isOtherTissue(places.positions[i]);
       result[i].isNearBorder = toBorder && toBorder->nearestWithin(places.positions[i], kBorder).has_value();
     }
   });
@@ -95,9 +96,10 @@ class Distances {
 
 void scoreDistances(const std::vector<MeshPlace>& places, FaceScore& score) {
   Distances own, border, interior, all, allBorder;
-  double foreign = 0;
+  double foreign = 0, tissue = 0;
   for (const MeshPlace& place : places) {
     if (place.isForeign()) ++foreign;
+    if (place.isTissue) ++tissue;
     if (!place.foot.isVisible) continue;
     all.add(place.foot.distance);
     if (place.isNearBorder) allBorder.add(place.foot.distance);
@@ -108,7 +110,8 @@ void scoreDistances(const std::vector<MeshPlace>& places, FaceScore& score) {
   score.rms = own.rms(), score.p95 = own.p95(), score.max = own.max(), score.offset = own.median();
   score.border = border.rms(), score.interior = interior.rms();
   score.rmsAll = all.rms(), score.maxAll = all.max(), score.borderAll = allBorder.rms();
-  if (!places.empty()) score.foreign = foreign / double(places.size());
+  if (places.empty()) return;
+  score.foreign = foreign / double(places.size()), score.tissue = tissue / double(places.size());
 }
 
 // Whether the mesh as a whole is turned outside in.

@@ -21,7 +21,8 @@ namespace sonoskin::accuracy {
 //   rmsAll, maxAll, borderAll    as rms, max, border, with the foreign places whose nearest truth is visible
 //   covered           share of the visible truth with a place of the mesh nearer than 1 mm; coveredFace and so on: of its
 //                     parts with that label
-//   foreign           share of the mesh's area that is foreign
+//   foreign           share of the mesh's area that is foreign; tissue: that is foreign and in tissue that is not the
+//                     baby's, or within 2 mm of it: wall, placenta, cord. The rest lies in the fluid or inside the baby
 //   spurs, spurArea   number and mm² of the connected parts of the mesh that have no truth within 1.5 mm and somewhere
 //                     none within 2 mm (findSpurs); tissue that is not the baby's counts too. spurless: 1 if there is
 //                     none, else 0. spurX, spurY, spurZ: the middle of the one with the largest area, world mm
@@ -39,7 +40,7 @@ struct FaceScore {
   double rmsAll = kUnknown, maxAll = kUnknown, borderAll = kUnknown;
   double covered = 0;
   double coveredFace = kUnknown, coveredHead = kUnknown, coveredHand = kUnknown, coveredBody = kUnknown;
-  double foreign = kUnknown, spurs = kUnknown, spurArea = kUnknown, spurless = kUnknown;
+  double foreign = kUnknown, tissue = kUnknown, spurs = kUnknown, spurArea = kUnknown, spurless = kUnknown;
   double spurX = kUnknown, spurY = kUnknown, spurZ = kUnknown;
   double eyes = kUnknown, nose = kUnknown, mouth = kUnknown, detail = kUnknown;
   double landmarks = kUnknown, pose = kUnknown;

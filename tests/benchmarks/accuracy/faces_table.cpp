@@ -32,6 +32,7 @@ constexpr Metric kSurface[] = {
     {"interior_mm", "interior RMS mm", &FaceScore::interior},
     {"covered", "covered %", &FaceScore::covered, 0, 100, Worst::smallest},
     {"foreign", "foreign %", &FaceScore::foreign, 1, 100},
+    {"tissue", "of it tissue %", &FaceScore::tissue, 1, 100},
     {"spurs", "spurs", &FaceScore::spurs, 0},
     {"spur_area_mm2", "spurs mm²", &FaceScore::spurArea, 0},
     {"spurless", "runs without %", &FaceScore::spurless, 0, 100, Worst::mean},

@@ -9,6 +9,7 @@ namespace sonoskin::accuracy {
 namespace {
 
 constexpr float kVisible = 0.5f;
+constexpr double kOther = 2;  // mm
 
 template <class T>
 T mix(const std::vector<T>& of, const Triangle& t, const glm::vec3& w) {
@@ -23,8 +24,8 @@ int labelAt(const Mesh& mesh, const Triangle& t, const glm::vec3& w) {
 
 }  // namespace
 
-FaceTruth::FaceTruth(Mesh skin, const FeaturePlaces& features)
-    : skin_(std::move(skin)), features_(features), tree_(skin_) {
+FaceTruth::FaceTruth(Mesh skin, FaceAnatomy anatomy)
+    : skin_(std::move(skin)), anatomy_(std::move(anatomy)), tree_(skin_) {
   if (skin_.normals.empty()) computeNormals(skin_);
   spreadVisible();
 }
@@ -56,12 +57,18 @@ float FaceTruth::distanceUpTo(const glm::vec3& query, float limit) const {
   return hit ? std::sqrt(hit->squaredDistance) : limit;
 }
 
-FeaturePlaces phantomFeatures(const PhantomOptions&) {
+bool FaceTruth::isOtherTissue(const glm::vec3& query) const {
+  return anatomy_.other && anatomy_.other(glm::dvec3(query)) < kOther;
+}
+
+FaceAnatomy phantomAnatomy(const PhantomOptions&) {
   const FacePlaces places = facePlaces();
   const float apart = float(glm::distance(places.rightEye, places.leftEye));
-  return {{Feature{places.rightEye, 0.25f * apart}, Feature{places.leftEye, 0.25f * apart}},
-          {places.noseTip, 0.3f * apart},
-          {0.5 * (places.mouthRight + places.mouthLeft), 0.4f * apart}};
+  const FeaturePlaces features{
+      {Feature{places.rightEye, 0.25f * apart}, Feature{places.leftEye, 0.25f * apart}},
+      {places.noseTip, 0.3f * apart},
+      {0.5 * (places.mouthRight + places.mouthLeft), 0.4f * apart}};
+  return {features, wallDistance};
 }
 
 }  // namespace sonoskin::accuracy

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -23,6 +24,16 @@ struct FeaturePlaces {
   Feature nose, mouth;
 };
 
+// FaceAnatomy: what is known of a simulated baby beside its skin.
+//   other   signed distance to tissue that is not the baby's, mm; empty where there is none
+struct FaceAnatomy {
+  FeaturePlaces features;
+  std::function<double(const glm::dvec3& world)> other;
+};
+
+// phantomAnatomy: that of the phantom.
+FaceAnatomy phantomAnatomy(const PhantomOptions& options);
+
 // TruthPlace: one of many places spread evenly over the skin that the probe sees; each stands for the same area.
 //   label   BodyPart, or kNoLabel
 struct TruthPlace {
@@ -35,7 +46,7 @@ inline constexpr int kNoLabel = -1;
 class FaceTruth {
  public:
   //   skin   with normals; visibility 1 where the probe sees it (without: everywhere); labels or none
-  FaceTruth(Mesh skin, const FeaturePlaces& features);
+  FaceTruth(Mesh skin, FaceAnatomy anatomy);
   FaceTruth(const FaceTruth&) = delete;
   FaceTruth& operator=(const FaceTruth&) = delete;
 
@@ -52,7 +63,9 @@ class FaceTruth {
   float distanceUpTo(const glm::vec3& query, float limit) const;
 
   const Mesh& skin() const { return skin_; }
-  const FeaturePlaces& features() const { return features_; }
+  const FeaturePlaces& features() const { return anatomy_.features; }
+  // isOtherTissue: whether tissue that is not the baby's is nearer than 2 mm.
+  bool isOtherTissue(const glm::vec3& query) const;
   // visible: places 0.5 mm apart, of what the probe sees.
   const std::vector<TruthPlace>& visible() const { return visible_; }
 
@@ -60,12 +73,9 @@ class FaceTruth {
   void spreadVisible();
 
   Mesh skin_;
-  FeaturePlaces features_;
+  FaceAnatomy anatomy_;
   TriangleTree tree_;
   std::vector<TruthPlace> visible_;
 };
-
-// phantomFeatures: those of the simulated baby.
-FeaturePlaces phantomFeatures(const PhantomOptions& options);
 
 }  // namespace sonoskin::accuracy
