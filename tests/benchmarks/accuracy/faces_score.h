@@ -30,7 +30,8 @@ namespace sonoskin::accuracy {
 //                     over the visible truth at each feature, and over all of them; places that the mesh misses by more
 //                     than 2 mm count as 90 degrees. A mesh that is turned inside out as a whole is turned back first.
 //   landmarks, pose   mean distance in mm of the five landmarks that the program found, and the angle in degrees by which
-//                     the head that it found is turned from the true one
+//                     the head that it found is turned from the true one (comparePose); landmarksMax: the worst of the
+//                     five. confidence: the program's own; misled: 1 if that is 0.5 or more and landmarks above 10 mm
 //   cpuSeconds, wallSeconds    of the whole pipeline, from a volume in memory; CPU: all threads
 //   triangles, area   of the mesh; mm²
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -43,7 +44,8 @@ struct FaceScore {
   double foreign = kUnknown, tissue = kUnknown, spurs = kUnknown, spurArea = kUnknown, spurless = kUnknown;
   double spurX = kUnknown, spurY = kUnknown, spurZ = kUnknown;
   double eyes = kUnknown, nose = kUnknown, mouth = kUnknown, detail = kUnknown;
-  double landmarks = kUnknown, pose = kUnknown;
+  double landmarks = kUnknown, landmarksMax = kUnknown, pose = kUnknown;
+  double confidence = kUnknown, misled = kUnknown;
   double cpuSeconds = kUnknown, wallSeconds = kUnknown;
   double triangles = 0, area = 0;
 };
