@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "tests/benchmarks/accuracy/faces.h"
 #include "tests/benchmarks/accuracy/levels.h"
 #include "tests/benchmarks/accuracy/methods.h"
 #include "tests/benchmarks/accuracy/reconstruction.h"
@@ -17,11 +18,12 @@ namespace sonoskin::accuracy {
 namespace {
 
 struct Request {
-  std::vector<int> dims{467, 255, 124};
-  std::vector<std::string> levels, methods, sets;
+  Given given;
+  FacesOptions faces;
+  std::vector<std::string> levels, methods;
   std::string sweep;
-  int seed = 1, threads = 0;
-  bool lines = false, reconstruction = false, skin = false;
+  int threads = 0;
+  bool lines = false, reconstruction = false, skin = false, isFaces = false;
 };
 
 std::vector<Method> allMethods() {
@@ -35,15 +37,18 @@ Request parse(int argc, char** argv) {
   CLI::App app{"Precision, recall and residuals of the surface points on the simulated scan, as Markdown."};
   std::string names;
   for (const Method& m : allMethods()) names += (names.empty() ? "" : ", ") + m.name;
-  app.add_option("--dims", request.dims, "voxels of the simulated scan")->expected(3)->delimiter('x');
+  app.add_option("--dims", request.given.dims, "voxels of the simulated scan")->expected(3)->delimiter('x');
   app.add_option("--levels", request.levels, "some of A,B,C,D,E; all by default")->delimiter(',');
   app.add_option("--methods", request.methods, "some of " + names + "; all by default")->delimiter(',');
-  app.add_option("--set", request.sets, "a parameter of the recipe: group.field=value; may be repeated");
+  app.add_option("--set", request.given.sets,
+                 "a parameter of the recipe: group.field=value; may be repeated");
   app.add_option("--sweep", request.sweep, "one row for each value: group.field=value,value,...");
-  app.add_option("--seed", request.seed, "of the speckle");
+  app.add_option("--seed", request.given.seed, "of the speckle");
   app.add_option("--threads", request.threads, "0: all of the machine");
   app.add_flag("--reconstruction", request.reconstruction, "meshes instead of points: RMS, normals and more");
   app.add_flag("--skin", request.skin, "the light of skin against the integral over the surface");
+  app.add_flag("--faces", request.isFaces, "the whole program's meshes over scenes, shapes and seeds");
+  addOptions(app, request.faces);
   app.add_flag("--lines", request.lines, "key=value lines instead of tables");
   try {
     app.parse(argc, argv);
@@ -108,13 +113,11 @@ std::vector<Row> runLevel(const Request& request, const Level& level, const Trut
 void runAll(const Request& request) {
   requireKnown(request);
   setThreadCount(request.threads);
-  Parameters parameters;
-  for (const std::string& text : request.sets)
-    for (const Setting& setting : parseSettings(text)) apply(setting, parameters);
-  parameters.phantom.dims = {request.dims[0], request.dims[1], request.dims[2]};
-  parameters.phantom.seed = request.seed;
+  if (request.isFaces) return printFaceTables(request.faces, request.given, request.sweep);
+  const Parameters parameters = parametersOf(request.given);
   if (request.reconstruction) return printReconstructionTables(parameters);
   if (request.skin) return printSkinTables(parameters);
+  require(!request.given.names("phantom.snr"), "phantom.snr: the levels set it; choose some with --levels");
   const Truth truth(parameters.phantom);
   const ContrastMeter meter(parameters.phantom);
   std::vector<Row> all;

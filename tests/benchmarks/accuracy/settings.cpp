@@ -1,5 +1,6 @@
 #include "tests/benchmarks/accuracy/settings.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -26,6 +27,20 @@ void apply(const Setting& setting, Parameters& parameters) {
   if (value.is_discarded()) value = setting.value;  // the name of a choice
   const nlohmann::json recipe{{setting.name.substr(0, dot), {{setting.name.substr(dot + 1), value}}}};
   readRecipe(recipe.dump(), parameters);
+}
+
+bool Given::names(const std::string& parameter) const {
+  return std::any_of(sets.begin(), sets.end(),
+                     [&](const std::string& text) { return text.starts_with(parameter + "="); });
+}
+
+Parameters parametersOf(const Given& given) {
+  Parameters parameters;
+  for (const std::string& text : given.sets)
+    for (const Setting& setting : parseSettings(text)) apply(setting, parameters);
+  if (given.dims.size() == 3) parameters.phantom.dims = {given.dims[0], given.dims[1], given.dims[2]};
+  if (given.seed) parameters.phantom.seed = *given.seed;
+  return parameters;
 }
 
 }  // namespace sonoskin::accuracy

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,22 @@ std::vector<Setting> parseSettings(const std::string& text);
 // apply: sets one parameter of the recipe.
 //   errors   Error: no such parameter, or a value it cannot take
 void apply(const Setting& setting, Parameters& parameters);
+
+// Given: what the command line says of the parameters.
+//   sets   "group.field=value" each
+//   dims   of the simulated scan, three or none
+//   seed   of its speckle
+struct Given {
+  std::vector<std::string> sets;
+  std::vector<int> dims;
+  std::optional<int> seed;
+
+  // names: whether one of the sets is of this parameter.
+  bool names(const std::string& parameter) const;
+};
+
+// parametersOf: the defaults with `sets`, and then with dims and seed where they are given.
+//   errors   Error: as parseSettings and apply
+Parameters parametersOf(const Given& given);
 
 }  // namespace sonoskin::accuracy

@@ -34,6 +34,8 @@ SkinPlaces spreadPlaces(const Mesh& mesh, std::size_t count) {
   return result;
 }
 
+std::size_t placesFor(const Mesh& mesh) { return std::size_t(std::ceil(4 * surfaceArea(mesh))); }
+
 std::vector<DiffusionTarget> targetsOf(const SkinPlaces& places, const SkinLighting& lighting) {
   std::vector<DiffusionTarget> targets;
   for (std::size_t i = 0; i < places.positions.size(); ++i) {

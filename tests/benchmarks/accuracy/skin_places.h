@@ -28,6 +28,9 @@ struct SkinPlaces {
 // spreadPlaces: about `count` places, every so many square mm, in no relation to the triangles.
 SkinPlaces spreadPlaces(const Mesh& mesh, std::size_t count);
 
+// placesFor: how many that are for one in a quarter of a square mm: half a mm apart.
+std::size_t placesFor(const Mesh& mesh);
+
 // targetsOf: the places with what falls on them.
 std::vector<DiffusionTarget> targetsOf(const SkinPlaces& places, const SkinLighting& lighting);
 
