@@ -14,6 +14,7 @@ layout(location = 1) out vec4 thin;        // exp(-k depth); a: coverage; premul
 
 const float kThickness = 0.2;  // 1/mm
 const float kNothing = 50.0;   // mm: as good as opaque
+const float kSearch = 0.075;   // of the map's side: how far before the surface something in the way is looked for
 const float kThinnest = 0.8;   // mm: of a part of a body
 const int kLooks = TAPS < 16 ? 4 : 8;  // for what stands in the way, and for depth
 
@@ -36,7 +37,7 @@ float shadow(vec3 p, vec3 n, float cosine) {
   float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 place = inMap(p + n * lights[LIGHT].texel * (0.6 + 1.6 * sine));
   float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
-  float search = lights[LIGHT].softness * 12.0 / width, sum = 0.0, count = 0.0;
+  float search = lights[LIGHT].softness * kSearch, sum = 0.0, count = 0.0;
   for (int k = 0; k < kLooks; ++k) {
     float found = mapDistance(LIGHT, textureLod(depthMap, place.xy + search * discPoint(k, kLooks, 0.0), 0.0).r);
     if (found < here) {
