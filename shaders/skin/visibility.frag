@@ -15,7 +15,6 @@ layout(location = 1) out vec4 thin;        // exp(-k depth); a: coverage; premul
 const float kThickness = 0.2;  // 1/mm
 const float kNothing = 50.0;   // mm: as good as opaque
 const float kSearch = 0.075;   // of the map's side: how far before the surface something in the way is looked for
-const float kThinnest = 0.8;   // mm: of a part of a body
 const int kLooks = TAPS < 16 ? 4 : 8;  // for what stands in the way, and for depth
 
 vec3 inMap(vec3 p) {
@@ -52,12 +51,13 @@ float shadow(vec3 p, vec3 n, float cosine) {
   return open / float(TAPS);
 }
 
-// Whether the way from p to where light enters is one through a plate, as T(d) has it: 0 to 1. The sheets face away from
-// each other; where they meet at an angle, as at both sides of a fold, most of the light of a plate is not there, and what
-// there is the blurs carry. No part of a body is thinner than a wing of the nose: sheets closer together are one skin that
-// was found twice. `spread` is how much depths differ nearby: a step in the depth map bounds no plate.          [ours]
-float isPlate(float opposite, float d, float spread) {
-  return smoothstep(0.15, 0.65, opposite) * smoothstep(kThinnest, 2.0, d) * (1.0 - smoothstep(0.7, 1.6, spread / (d + 1.0)));
+// How far the way of length d from p to where light enters is one through a plate, as T(d) has it: 0 to 1. The two sides of
+// a plate face away from each other, and no part of a body is thinner than a wing of the nose: sheets closer together are
+// one skin, found twice. Where the sides meet at an angle, as at a ridge or a fold, what is near passes around it already,
+// with the blurs; sides that face the same way are one side.                                                        [ours]
+float isPlate(float opposite, float d) {
+  vec2 thinnest = mix(vec2(4.0, 8.0), vec2(0.8, 2.0), smoothstep(0.0, 0.6, opposite));  // mm: nothing, all of it
+  return smoothstep(-0.6, -0.2, opposite) * smoothstep(thinnest.x, thinnest.y, d);
 }
 
 // exp(-k d) of the way through the body to where the light enters. Where the way leaves the body in between, as from a
@@ -68,23 +68,18 @@ float thickness(vec3 p, vec3 n, vec3 l) {
   vec3 place = inMap(p - n * lights[LIGHT].texel);
   vec2 entry = textureLod(placeMap, place.xy, 0.0).rg;
   if (entry.x <= 0.0) return 0.0;
-  float opposite = clamp(-dot(normalize(textureLod(normalMap, entry, 0.0).xyz), n), 0.0, 1.0);
-  float slant = mix(1.0, clamp(facing, 0.0, 1.0), opposite);
+  float opposite = -dot(normalize(textureLod(normalMap, entry, 0.0).xyz), n);
+  float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(opposite, 0.0, 1.0));
   float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
-  float sum = 0.0, least = kNothing, most = 0.0, mean = 0.0, entries = 1e-3;
+  float sum = 0.0;
   for (int k = 0; k < kLooks; ++k) {
     vec2 near = place.xy + 1.0 / width * discPoint(k, kLooks, 0.0);
     float depth = textureLod(depthMap, near, 0.0).r;
-    if (depth == 1.0) continue;
     float d = max(here - mapDistance(LIGHT, depth), 0.0) * slant;
     float apart = here - mapDistance(LIGHT, textureLod(exitMap, near, 0.0).r);  // mm
-    sum += exp(-kThickness * d) * (1.0 - smoothstep(0.5, 2.0, apart));
-    mean += d;
-    entries += 1.0;
-    least = min(least, d);
-    most = max(most, d);
+    sum += depth < 1.0 ? exp(-kThickness * d) * isPlate(opposite, d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
   }
-  return sum / float(kLooks) * isPlate(opposite, mean / entries, max(most - least, 0.0));
+  return sum / float(kLooks);
 }
 
 void main() {
