@@ -146,8 +146,8 @@ TEST_F(SkinThroughTest, AFoldDoesNotGlow) {
       red = std::max(red, light.r);
     return red;
   };
-  EXPECT_LT(most(0.3f, 2), 0.02);
-  EXPECT_LT(most(2, 8), 0.15);
+  EXPECT_LT(most(0.2f, 0.8f), 0.01);
+  EXPECT_LT(most(0.8f, 8), 0.15);
 }
 
 }  // namespace
