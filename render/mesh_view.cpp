@@ -36,6 +36,9 @@ void MeshView::draw(const MeshViewInput& input, const gl::Target& target) {
   shadow_.clear({});
   drawMesh(input.mesh, shadowProgram_, lightView.projection(), shadow_);
   drawMesh(input.mesh, surfaceProgram_, projection * input.camera.view(), surface_);
+  const gl::Texture* outline = nullptr;
+  if (input.supersampling > 1)
+    outline = &outline_.draw(surface_.size(), projection * input.camera.view(), [&] { input.mesh.draw(); });
   shading_.draw({.surface = surface_,
                  .shadow = shadow_,
                  .lightView = lightView,
@@ -45,7 +48,8 @@ void MeshView::draw(const MeshViewInput& input, const gl::Target& target) {
                  .look = input.look,
                  .samplesPerSide = input.supersampling,
                  .size = box.diagonal(),
-                 .unseenShade = input.unseenShade},
+                 .unseenShade = input.unseenShade,
+                 .outline = outline},
                 target);
 }
 

@@ -5,12 +5,13 @@
 #include "render/gl/program.h"
 #include "render/gpu_mesh.h"
 #include "render/lighting.h"
+#include "render/outline.h"
 #include "render/surface_shading.h"
 
 namespace sonoskin {
 
 // MeshViewInput: what MeshView draws.
-//   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light)
+//   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light, 16 for the outline)
 //   unseenShade     0 to 1: how far regions that the probe cannot have seen are greyed
 //   shadowSize      texels along the shadow map's side
 struct MeshViewInput {
@@ -37,6 +38,7 @@ class MeshView {
   gl::Program shadowProgram_, surfaceProgram_;
   gl::Framebuffer shadow_, surface_;
   SurfaceShading shading_;
+  Outline outline_;
 };
 
 }  // namespace sonoskin

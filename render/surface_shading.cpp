@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
@@ -117,6 +118,11 @@ void SurfaceShading::draw(const ShadingInput& input, const gl::Target& target) {
   setLights(program, input.lighting);
   setScreen(program, input.camera, float(target.size.x) / float(target.size.y), input.projection);
   program.set("unseenShade", input.unseenShade);
+  if (input.samplesPerSide > 1) {
+    assert(input.outline);
+    input.outline->bind(3);
+    program.set("outlineMap", 3);
+  }
   gl::drawFullScreen();
 }
 

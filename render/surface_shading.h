@@ -38,6 +38,7 @@ void setScreen(gl::Program& program, const Camera& camera, float aspect, const g
 //   shadow         drawn with lightView
 //   size           mm, of the thing shown: the reach of occlusion and penumbra follow from it
 //   unseenShade    0 to 1: how far regions that the probe cannot have seen are greyed
+//   outline        for more than one sample per pixel: how much of each of them the surface covers, see Outline
 struct ShadingInput {
   const gl::Framebuffer& surface;
   const gl::Framebuffer& shadow;
@@ -49,6 +50,7 @@ struct ShadingInput {
   int samplesPerSide = 1;  // 1 or 2
   float size = 1;
   float unseenShade = 0;
+  const gl::Texture* outline = nullptr;
 };
 
 // SurfaceShading: from a surface buffer to a picture: lights, soft shadows, ambient occlusion, tone mapping,

@@ -40,7 +40,7 @@ void drawRays(ImDrawList& list, const glm::vec2& middle, float from, float to, I
 std::string lampText(const LightOptions& light) {
   const std::string angles = fmt::format("{:.0f}°, {:.0f}°", light.azimuth, light.elevation);
   if (light.kind == LightKind::far) return angles;
-  return fmt::format("{}, {:.0f} mm", angles, light.distance);
+  return fmt::format("{}, distance {:.0f}", angles, light.distance);
 }
 
 // How far light spreads depends on few parameters: fitted again when they change.

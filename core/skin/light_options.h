@@ -11,6 +11,10 @@ namespace sonoskin {
 enum class LightKind { far, near, inside };
 constexpr std::array<const char*, 3> enumNames(LightKind) { return {"far", "near", "inside"}; }
 
+// kLightSize: mm from corner to corner of the surface for which a lamp's distance counts as it is said: about what a scan
+// of a head shows. The lamps of larger and smaller ones go along with them, so that they look the same.
+constexpr double kLightSize = 160;
+
 // LightOptions: the lights on the skin. Angles are those of the home view (the probe's side; for mesh files the front):
 // 0 and 0 is the viewer's own place.
 struct LightOptions {
@@ -20,12 +24,12 @@ struct LightOptions {
   double distance = 150;
   double strength = 1.15;
   double warmth = 5400;
-  double softness = 5;
-  double fill = 0.25;
-  double rim = 0.5;
-  double surround = 0.27;
+  double softness = 9;
+  double fill = 0.34;
+  double rim = 0.4;
+  double surround = 0.32;
   bool shadows = true;
-  double exposure = 0.25;
+  double exposure = 0.2;
 
   bool operator==(const LightOptions&) const = default;
 };
@@ -37,8 +41,11 @@ void fields(F&& f, O& o) {
   f(Field{"azimuth", "where it is: to the viewer's right; beyond 90: behind", "degrees"}, o.azimuth,
     Range{-180.0, 180.0});
   f(Field{"elevation", "where it is: upward", "degrees"}, o.elevation, Range{-90.0, 90.0});
-  f(Field{"distance", "for near and inside: from the middle of the surface", "mm"}, o.distance,
-    Range{0.0, 1000.0});
+  f(Field{"distance",
+          "for near and inside: from the middle of a surface 160 mm across; larger and smaller ones have it "
+          "in proportion",
+          "mm"},
+    o.distance, Range{0.0, 1000.0});
   f(Field{"strength", "of the movable light; 1: a white surface that faces it is white", "times"}, o.strength,
     Range{0.0, 10.0});
   f(Field{"warmth", "colour temperature; low is warm, 6500 is white", "K"}, o.warmth, Range{1800.0, 12000.0});

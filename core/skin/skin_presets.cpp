@@ -55,15 +55,15 @@ void wet(SkinOptions& skin, LightOptions&) {
   skin.roughness = 0.25;
 }
 
-// One warm lamp in the dark, in front, above and to the left.
+// One warm lamp in the dark, in front, above and to the left, and what a white wall on the other side gives back of it.
 void loneLamp(LightOptions& light) {
   light.kind = LightKind::near;
+  light.azimuth = -32;
   light.warmth = 3300;
-  light.softness = 5;
-  light.fill = 0;
-  light.rim = 0;
-  light.surround = 0.03;
-  light.exposure = 0.5;
+  light.fill = 0.34;
+  light.rim = 0.1;
+  light.surround = 0.14;
+  light.exposure = 0.35;
 }
 
 void clinic(SkinOptions& skin, LightOptions& light) {
@@ -74,7 +74,6 @@ void clinic(SkinOptions& skin, LightOptions& light) {
   skin.gloss = 0.25;
   loneLamp(light);
   light.warmth = 5000;  // the warmth is the colour's
-  light.surround = 0.1;
 }
 
 void live(SkinOptions& skin, LightOptions& light) {

@@ -112,21 +112,15 @@ FinalPass::FinalPass()
       detail_(makeDetailTile()),
       specularTable_(specularTexture()) {}
 
-void FinalPass::drawBackdrop(const Backdrop& backdrop, bool linear) {
-  std::vector<std::string> defines;
-  if (linear) defines.emplace_back("LINEAR");
-  gl::Program& p = programs_.use("skin/background.frag", defines);
-  p.set("backgroundTop", backdrop.top);
-  p.set("backgroundBottom", backdrop.bottom);
-  gl::drawFullScreen();
-}
-
 void FinalPass::copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart) {
   if (backdrop != backdropOf_) {
     backdrop_.fit(backdrop.size);
     backdrop_.bind();
     glDisable(GL_SCISSOR_TEST);
-    drawBackdrop(backdrop, false);
+    gl::Program& p = programs_.use("skin/background.frag", {});
+    p.set("backgroundTop", backdrop.top);
+    p.set("backgroundBottom", backdrop.bottom);
+    gl::drawFullScreen();
     backdropOf_ = backdrop;
   }
   const Part part = shownColumns(to.size, shownPart);
@@ -215,9 +209,8 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   glm::ivec2 corner(0);
   if (input.supersampling > 1) {
     samples_.fit(size);
+    samples_.clear({});
     samples_.bind();
-    cutTo(columns);
-    drawBackdrop(backdrop, true);
   } else {
     copyBackdrop(backdrop, target, input.shownPart);
     target.bind();
@@ -232,12 +225,21 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   } else {
     shade(input, light, size, projection);
   }
-  if (input.supersampling == 1) return;
+  if (input.supersampling > 1) resolve(input, backdrop, projection * input.camera.view(), target);
+}
+
+void FinalPass::resolve(const SkinViewInput& input, const Backdrop& backdrop, const glm::mat4& viewProjection,
+                        const gl::Target& target) {
+  const gl::Texture& outline =
+      outline_.draw(samples_.size(), viewProjection, [&] { input.surface.parts().draw(); });
   target.bind();
   cutTo(shownColumns(target.size, input.shownPart), target.corner);
   gl::Program& p = programs_.use("skin/resolve.frag", {});
   bindTo(p, "samples", 0, samples_.colour());
+  bindTo(p, "outlineMap", 1, outline);
   p.set("perSide", input.supersampling);
+  p.set("backgroundTop", backdrop.top);
+  p.set("backgroundBottom", backdrop.bottom);
   gl::drawFullScreen();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/outline.h"
 #include "render/skin/detail_tile.h"
 #include "render/skin/light_passes.h"
 
@@ -20,15 +21,17 @@ class FinalPass {
     glm::vec3 top{0}, bottom{0};
     friend bool operator==(const Backdrop&, const Backdrop&) = default;
   };
-  void drawBackdrop(const Backdrop& backdrop, bool linear);
   void copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart);
   void drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection);
   void shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size, const glm::mat4& projection);
   void showMap(const SkinViewInput& input, LightPasses& light);
+  void resolve(const SkinViewInput& input, const Backdrop& backdrop, const glm::mat4& viewProjection,
+               const gl::Target& target);
 
   PassPrograms programs_{"common/fullscreen.vert"};
   gl::Program surfaceProgram_;
   gl::Framebuffer surface_, samples_, backdrop_;
+  Outline outline_;
   Backdrop backdropOf_;
   DetailTile detail_;
   gl::Texture specularTable_, charts_;

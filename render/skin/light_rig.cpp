@@ -58,6 +58,7 @@ LightRig makeLightRig(const LightOptions& o, const HomeFrame& home, const Box& b
   LightRig rig;
   rig.exposure = std::exp2(float(o.exposure));
   const float radius = 0.5f * box.diagonal(), softness = std::tan(glm::radians(float(o.softness)));
+  const float away = float(o.distance / kLightSize) * box.diagonal();
   SkinLight key;
   key.kind = o.kind;
   key.colour = float(o.strength) * colourOfHeat(o.warmth);
@@ -66,22 +67,24 @@ LightRig makeLightRig(const LightOptions& o, const HomeFrame& home, const Box& b
   key.position = lightPlace(o, home);
   if (o.kind != LightKind::far) {
     const float limit = o.kind == LightKind::inside ? 0.5f * radius : 1e6f;  // in the body it stays
-    key.position = box.centre() + std::min(float(o.distance), limit) * key.position;
+    key.position = box.centre() + std::min(away, limit) * key.position;
     // Where the lamp stands its strength holds at the middle of the surface, but not closer than a third of its radius.
-    key.reach = std::max(float(o.distance), 0.35f * radius);
+    key.reach = std::max(away, 0.35f * radius);
   }
+  // A room takes on its lamp's colour: what is in shadow looks shaded then, not grey or blue like a bruise.
+  const glm::vec3 warm = colourOfHeat(o.warmth);
   const double side = o.azimuth <= 0 ? 1 : -1;
   SkinLight fill{.position = direction(home, side * 55, 5),
-                 .colour = float(o.fill) * glm::vec3(0.99f, 1.0f, 1.02f)};
+                 .colour = float(o.fill) * glm::mix(glm::vec3(1.02f, 0.99f, 0.99f), warm, 0.8f)};
   fill.shadows = false;  // a large soft light: what is closed in gets less of it
   SkinLight rim{.position = direction(home, side * 140, 32),
                 .colour = float(o.rim) * glm::vec3(1.0f, 0.98f, 0.95f)};
   rim.softness = softness;
   rim.shadows = o.shadows;
   rig.lights = {key, fill, rim};
-  const float around = float(o.surround);
+  const glm::vec3 around = float(o.surround) * glm::mix(glm::vec3(1), warm, 0.6f);
   rig.environment =
-      skyAndGround(around * glm::vec3(1.02f, 1.0f, 0.98f), 0.4f * around * glm::vec3(1.08f, 0.98f, 0.9f),
+      skyAndGround(around * glm::vec3(1.03f, 1.0f, 1.0f), 0.4f * around * glm::vec3(1.12f, 0.97f, 0.92f),
                    glm::normalize(home.up + 0.45f * home.back));
   return rig;
 }

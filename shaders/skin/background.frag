@@ -1,4 +1,4 @@
-// Only what is behind the skin. LINEAR: as in final.frag.
+// Only what is behind the skin.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
 #include "skin/background.glsl"
@@ -8,9 +8,5 @@ in vec2 uv;
 layout(location = 0) out vec4 colour;
 
 void main() {
-#if defined(LINEAR)
-  colour = vec4(background(uv), 1.0);
-#else
   colour = vec4(toSrgb(background(uv)) + (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
-#endif
 }

@@ -5,6 +5,7 @@
 // PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
+#include "common/occlusion.glsl"
 #include "common/screen.glsl"
 #include "skin/detail.glsl"
 #include "skin/lights.glsl"
@@ -21,7 +22,7 @@ uniform vec3 firstWeight;      // of the narrowest Gaussian
 
 layout(location = 0) out vec4 colour;
 
-vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
+vec3 shade(vec3 p, vec3 smoothNormal, vec2 place) {
   vec4 spread = textureLod(diffusedMap, place, 0.0), visibility = textureLod(visibilityMap, place, 0.0);
   vec3 albedo = max(textureLod(albedoMap, place, 0.0).rgb, vec3(0.02));
   vec4 finish = textureLod(finishMap, place, 0.0);
@@ -32,7 +33,7 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   vec3 n = bumped(smoothNormal, p, pixel, detail * (1.0 - 0.7 * finish.a) * (1.0 - 0.5 * finish.b), m);
   float nv = max(dot(n, toEye), 0.02);
   vec2 kept = 1.0 - finish.g * reflected(nv, finish.r);  // by the surface, toward the eye and on average
-  vec3 first = visibility.a * irradianceAround(n) * kept.y;
+  vec3 first = reflectedOcclusion(visibility.a, albedo) * irradianceAround(n) * kept.y;
   vec3 mirrored = vec3(0.0), coat = vec3(0.0);
 #if defined(WET)
   const float coatF0 = 0.02, coatRoughness = 0.12;
@@ -74,7 +75,13 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
 #else
   vec3 sum = diffuse + mirrored;
 #endif
-  return inner ? sum * vec3(0.35, 0.33, 0.36) : sum;
+  return sum;
+}
+
+// The inner side of an open surface: nothing was measured there. Dark flesh in even light, whatever the other side gets.
+vec3 shadeInside(vec3 p, vec3 n) {
+  vec3 reaching = irradianceAround(n) + 0.12 * (lights[0].colour + lights[1].colour + lights[2].colour);
+  return vec3(0.20, 0.095, 0.07) * reaching * (0.6 + 0.4 * max(dot(n, normalize(eye - p)), 0.0));
 }
 
 void main() {
@@ -83,7 +90,8 @@ void main() {
   if (depth == 1.0) discard;  // the background is there already
   vec4 surface = texelFetch(surfaceMap, texel, 0);
   vec3 p = eye + distanceOf(depth) * rayAt(uv);
-  vec3 shown = toneMap(exposure * shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0));
+  vec3 n = normalize(surface.xyz);
+  vec3 shown = toneMap(exposure * (surface.w < 0.0 ? shadeInside(p, n) : shade(p, n, texelFetch(placeMap, texel, 0).rg)));
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else

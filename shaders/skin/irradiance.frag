@@ -1,4 +1,5 @@
 // What light enters the skin at every texel of the atlas. Variants: KIND, see lights.glsl.    [skin specification, section 7]
+#include "common/occlusion.glsl"
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"
 #include "skin/reflection.glsl"
@@ -18,12 +19,12 @@ void main() {
   vec3 p = placed.xyz, n = normalize(texelFetch(normalMap, texel, 0).xyz);
   vec4 open = texelFetch(openMap, texel, 0), seen = texelFetch(visibilityMap, texel, 0);
   vec4 finish = texelFetch(finishMap, texel, 0);
-  vec3 sum = open.w * irradianceAround(normalize(open.xyz + n * 1e-3)) * (1.0 - finish.g * reflected(0.0, finish.r).y);
+  vec3 albedo = max(texelFetch(albedoMap, texel, 0).rgb, vec3(0.02));
+  vec3 sum = reflectedOcclusion(open.w, albedo) * irradianceAround(normalize(open.xyz + n * 1e-3)) * (1.0 - finish.g * reflected(0.0, finish.r).y);
   for (int i = 0; i < 3; ++i) {
     float cosine = dot(n, toLight(i, p));
     float entry = 1.0 - finish.g * reflected(cosine, finish.r).x;
     sum += arriving(i, p) * seen[i] * max(cosine, 0.0) * entry;
   }
-  vec3 albedo = max(texelFetch(albedoMap, texel, 0).rgb, vec3(0.02));
   entering = vec4(pow(albedo, vec3(mixBefore)) * sum, 1.0);
 }

@@ -20,11 +20,10 @@ vec3 toLight(int i, vec3 p) { return isFar(i) ? lights[i].position : normalize(l
 // What arrives at p where nothing is in the way.                              [skin specification, section 7]
 vec3 arriving(int i, vec3 p) {
   if (isFar(i)) return lights[i].colour;
-  const float least = 10.0;  // mm; a lamp is no point
   vec3 way = lights[i].position - p;
-  float squared = dot(way, way), reach2 = lights[i].reach * lights[i].reach;
+  float squared = dot(way, way), reach2 = lights[i].reach * lights[i].reach, least2 = 0.01 * reach2;  // a lamp is no point
   float window = clamp(1.0 - squared * squared / (1e4 * reach2 * reach2), 0.0, 1.0);
-  return lights[i].colour * (reach2 + least * least) / (squared + least * least) * window * window;
+  return lights[i].colour * (reach2 + least2) / (squared + least2) * window * window;
 }
 
 float mapDistance(int i, float depth) {

@@ -1,16 +1,21 @@
-// From several display-linear samples per pixel to sRGB.
+// From several display-linear samples per pixel to sRGB, over what is behind the skin.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
+#include "common/outline.glsl"
+#include "skin/background.glsl"
 
-uniform sampler2D samples;
+in vec2 uv;
+
+uniform sampler2D samples;  // a: 1 where the surface is, else 0
 uniform int perSide;
 
 layout(location = 0) out vec4 colour;
 
 void main() {
   ivec2 first = ivec2(gl_FragCoord.xy) * perSide;
-  vec3 sum = vec3(0.0);
+  vec4 sum = vec4(0.0);
   for (int i = 0; i < perSide * perSide; ++i)
-    sum += texelFetch(samples, first + ivec2(i % perSide, i / perSide), 0).rgb;
-  colour = vec4(toSrgb(sum / float(perSide * perSide)) + (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
+    sum += texelFetch(samples, first + ivec2(i % perSide, i / perSide), 0);
+  float covered = sum.a > 0.0 ? coverage(ivec2(gl_FragCoord.xy), perSide) : 0.0;
+  colour = vec4(toSrgb(mix(background(uv), sum.rgb / max(sum.a, 1.0), covered)) + (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
 }

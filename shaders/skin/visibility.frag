@@ -14,6 +14,7 @@ layout(location = 1) out vec4 thin;        // exp(-k depth); a: coverage; premul
 
 const float kThickness = 0.2;  // 1/mm
 const float kNothing = 50.0;   // mm: as good as opaque
+const float kSearch = 0.075;   // of the map's side: how far before the surface something in the way is looked for
 const int kLooks = TAPS < 16 ? 4 : 8;  // for what stands in the way, and for depth
 
 vec3 inMap(vec3 p) {
@@ -35,7 +36,7 @@ float shadow(vec3 p, vec3 n, float cosine) {
   float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 place = inMap(p + n * lights[LIGHT].texel * (0.6 + 1.6 * sine));
   float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
-  float search = lights[LIGHT].softness * 12.0 / width, sum = 0.0, count = 0.0;
+  float search = lights[LIGHT].softness * kSearch, sum = 0.0, count = 0.0;
   for (int k = 0; k < kLooks; ++k) {
     float found = mapDistance(LIGHT, textureLod(depthMap, place.xy + search * discPoint(k, kLooks, 0.0), 0.0).r);
     if (found < here) {
@@ -50,6 +51,15 @@ float shadow(vec3 p, vec3 n, float cosine) {
   return open / float(TAPS);
 }
 
+// How far the way of length d from p to where light enters is one through a plate, as T(d) has it: 0 to 1. The two sides of
+// a plate face away from each other, and no part of a body is thinner than a wing of the nose: sheets closer together are
+// one skin, found twice. Where the sides meet at an angle, as at a ridge or a fold, what is near passes around it already,
+// with the blurs; sides that face the same way are one side.                                                        [ours]
+float isPlate(float opposite, float d) {
+  vec2 thinnest = mix(vec2(4.0, 8.0), vec2(0.8, 2.0), smoothstep(0.0, 0.6, opposite));  // mm: nothing, all of it
+  return smoothstep(-0.6, -0.2, opposite) * smoothstep(thinnest.x, thinnest.y, d);
+}
+
 // exp(-k d) of the way through the body to where the light enters. Where the way leaves the body in between, as from a
 // hand to the cheek below it, nothing comes through.            [skin specification, section 9.1; the way's exits: ours]
 float thickness(vec3 p, vec3 n, vec3 l) {
@@ -58,15 +68,16 @@ float thickness(vec3 p, vec3 n, vec3 l) {
   vec3 place = inMap(p - n * lights[LIGHT].texel);
   vec2 entry = textureLod(placeMap, place.xy, 0.0).rg;
   if (entry.x <= 0.0) return 0.0;
-  vec3 entryNormal = normalize(textureLod(normalMap, entry, 0.0).xyz);
-  float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(-dot(entryNormal, n), 0.0, 1.0));
-  float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x), sum = 0.0;
+  float opposite = -dot(normalize(textureLod(normalMap, entry, 0.0).xyz), n);
+  float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(opposite, 0.0, 1.0));
+  float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
+  float sum = 0.0;
   for (int k = 0; k < kLooks; ++k) {
     vec2 near = place.xy + 1.0 / width * discPoint(k, kLooks, 0.0);
     float depth = textureLod(depthMap, near, 0.0).r;
     float d = max(here - mapDistance(LIGHT, depth), 0.0) * slant;
     float apart = here - mapDistance(LIGHT, textureLod(exitMap, near, 0.0).r);  // mm
-    sum += depth < 1.0 ? exp(-kThickness * d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
+    sum += depth < 1.0 ? exp(-kThickness * d) * isPlate(opposite, d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
   }
   return sum / float(kLooks);
 }

@@ -4,6 +4,8 @@
 #include "common/colour.glsl"
 #include "common/lighting.glsl"
 #include "common/noise.glsl"
+#include "common/occlusion.glsl"
+#include "common/outline.glsl"
 #include "common/screen.glsl"
 
 in vec2 uv;
@@ -32,13 +34,6 @@ const vec3 skinAlbedo = vec3(0.60, 0.585, 0.56);
 const vec3 wrap = vec3(0.10), shadowPower = vec3(1.0);
 const float roughness = 0.55, f0 = 0.04, shine = 0.6;
 #endif
-
-// What arrives of the light from all around, per channel: light that is reflected in folds takes on the surface's
-// colour. [fit of Jimenez et al. 2016]
-vec3 reflectedOcclusion(float arriving, vec3 albedo) {
-  vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
-  return max(vec3(arriving), ((arriving * a + b) * arriving + c) * arriving);
-}
 
 // Light from all around and of the key: the mean over 4x4 pixels, the noise's period, on the same surface.
 vec2 arrivingLight(ivec2 pixel, int taps) {
@@ -102,14 +97,21 @@ void main() {
   int count = empty ? 0 : smoothPiece ? 1 : n;
   vec2 light = arrivingLight(pixel, empty ? 0 : 16);
   vec3 sum = vec3(0.0);
+  float shaded = 0.0;
   for (int i = 0; i < count; ++i) {
     vec4 surface = smoothPiece ? meanSurface : surfaces[i];
     float depth = smoothPiece ? meanDepth : depths[i];
     vec3 position = eye + distanceOf(depth) * rayAt(uv);
     vec3 shown = toneMap(exposure * shade(position, normalize(surface.xyz), surface.w, light));
-    sum += depth < 1.0 ? shown : background;
+    sum += depth < 1.0 ? shown : vec3(0.0);
+    shaded += depth < 1.0 ? 1.0 : 0.0;
   }
-  vec3 linear = count > 0 ? sum / float(count) : background;
+#if SAMPLES > 1
+  float covered = smoothPiece || empty ? shaded : coverage(pixel, SAMPLES);
+#else
+  float covered = shaded / float(max(count, 1));
+#endif
+  vec3 linear = mix(background, sum / max(shaded, 1.0), shaded > 0.0 ? covered : 0.0);
   float dither = (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0;
   colour = vec4(toSrgb(linear) + dither, 1.0);
 }

@@ -1,4 +1,4 @@
-// Light on surfaces with an atlas of their own: a ball, plates.
+// Light on surfaces with an atlas of their own: balls.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,35 +51,6 @@ std::vector<glm::dvec3> leaving(const SkinView& view) {
 std::shared_ptr<const SkinSurface> ball(float radius, double texel) {
   return prepareSkin(std::make_shared<const Mesh>(test::icosphere(6, radius, {3, 4, 5})), {0, 0, 1},
                      texels(texel));
-}
-
-// Two plates, a box from z = low to z = high each.
-Mesh plates(std::initializer_list<glm::vec2> heights, float half) {
-  Mesh mesh;
-  for (const glm::vec2& h : heights) {
-    const auto first = std::uint32_t(mesh.positions.size());
-    for (int corner = 0; corner < 8; ++corner)
-      mesh.positions.emplace_back(corner & 1 ? half : -half, corner & 2 ? half : -half,
-                                  corner & 4 ? h.y : h.x);
-    const std::uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& f : faces) {
-      mesh.triangles.push_back({first + f[0], first + f[1], first + f[2]});
-      mesh.triangles.push_back({first + f[0], first + f[2], first + f[3]});
-    }
-  }
-  // Sharp edges: every side has normals of its own.
-  Mesh sharp;
-  for (const Triangle& t : mesh.triangles) {
-    const auto first = std::uint32_t(sharp.positions.size());
-    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    for (const glm::vec3& p : {a, b, c}) {
-      sharp.positions.push_back(p);
-      sharp.normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
-    }
-    sharp.triangles.push_back({first, first + 1, first + 2});
-  }
-  return sharp;
 }
 
 class SkinLightTest : public GlTest {
@@ -222,49 +193,6 @@ TEST_F(SkinLightTest, TerminatorOfABall) {
     ASSERT_GT(count, 20);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / count, row.light[c], 0.003) << row.at << " " << c;
   }
-}
-
-class PlateTest : public SkinLightTest {
- protected:
-  // The light that comes through toward +z in the middle of the plates' upper sides at height z.
-  glm::dvec3 through(const Mesh& mesh, float z) {
-    const auto surface = prepareSkin(std::make_shared<const Mesh>(mesh), {0, 0, 1}, texels(0.3));
-    gpu_.set(surface);
-    SkinOptions skin = plainSkin();
-    skin.translucency = 1;
-    LightRig rig;
-    rig.lights.push_back({.position = {0, 0, -1}, .colour = glm::vec3(1)});
-    view_.relight(gpu_, {skin, {}, rig}, texels(0.3));
-    const auto light = leaving(view_);
-    for (std::size_t t = 0; t < light.size(); ++t) {
-      const glm::vec4& p = surface->maps.position[t];
-      if (p.w > 0.9f && std::abs(p.x) < 0.3f && std::abs(p.y) < 0.3f && std::abs(p.z - z) < 0.01f &&
-          surface->maps.normal[t].z > 0.9f)
-        return light[t];
-    }
-    ADD_FAILURE() << "the plate's middle is not in the atlas";
-    return glm::dvec3(0);
-  }
-};
-
-// A plate that is lit from behind shows the transmittance of its thickness.          [skin specification, section 9.3]
-TEST_F(PlateTest, ShowsItsTransmittance) {
-  const SkinMaterial material = makeSkinMaterial(plainSkin());
-  for (const float thickness : {4.f, 6.f, 10.f}) {
-    const glm::dvec3 found = through(plates({{0, thickness}}, 15), thickness);
-    const double place = double(thickness) / SkinMaterial::kReach * (SkinMaterial::kSteps - 1);
-    const auto step = std::size_t(place);
-    const glm::dvec3 expected(glm::mix(material.transmittance[step], material.transmittance[step + 1],
-                                       float(place - double(step))));
-    for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(found[c], expected[c], 0.03 * expected[c] + 0.002) << thickness << " " << c;
-  }
-}
-
-// Light does not come through two plates with air between them.
-TEST_F(PlateTest, NothingComesThroughAir) {
-  const glm::dvec3 apart = through(plates({{0, 2}, {8, 10}}, 15), 10);
-  EXPECT_LT(apart.r, 0.01);
 }
 
 // Light from point to point that comes later takes the place of the blurs, is what finished pictures have, and stays until
