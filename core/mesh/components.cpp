@@ -84,6 +84,7 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress) {
     piece.positions.push_back(mesh.positions[v]);
     if (!mesh.normals.empty()) piece.normals.push_back(mesh.normals[v]);
     if (!mesh.visibility.empty()) piece.visibility.push_back(mesh.visibility[v]);
+    if (!mesh.measured.empty()) piece.measured.push_back(mesh.measured[v]);
   }
   progress.update(0.8);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -105,12 +106,14 @@ Mesh joinPieces(const std::vector<Mesh>& pieces) {
     whole.positions.insert(whole.positions.end(), piece.positions.begin(), piece.positions.end());
     whole.normals.insert(whole.normals.end(), piece.normals.begin(), piece.normals.end());
     whole.visibility.insert(whole.visibility.end(), piece.visibility.begin(), piece.visibility.end());
+    whole.measured.insert(whole.measured.end(), piece.measured.begin(), piece.measured.end());
     whole.cornerUvs.insert(whole.cornerUvs.end(), piece.cornerUvs.begin(), piece.cornerUvs.end());
     for (const Triangle& t : piece.triangles)
       whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   if (whole.normals.size() != whole.positions.size()) whole.normals.clear();
   if (whole.visibility.size() != whole.positions.size()) whole.visibility.clear();
+  if (whole.measured.size() != whole.positions.size()) whole.measured.clear();
   if (whole.cornerUvs.size() != whole.triangles.size()) whole.cornerUvs.clear();
   return whole;
 }
