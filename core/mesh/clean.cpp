@@ -26,8 +26,10 @@ bool needsCleaning(const MeshOptions& o) {
 Mesh cleanMesh(const Mesh& mesh, const MeshOptions& options, const Progress& progress) {
   Mesh clean = mesh;
   if (options.minArea > 0) clean = withoutSmallPieces(clean, options.minArea, progress.part(0, 0.1));
-  splitFans(clean);
-  if (options.fillHoles > 0) clean = fillHoles(clean, {options.fillHoles, false}, progress.part(0.1, 0.3));
+  if (options.fillHoles > 0)
+    clean = fillHoles(clean, {options.fillHoles, Outline::keepUnlessSmall}, progress.part(0.1, 0.3));
+  else
+    splitFans(clean);
   smoothMesh(clean, options.smoothing, progress.part(0.3, 0.7));
   if (options.triangles > 0)
     clean = decimateMesh(clean, std::size_t(options.triangles), progress.part(0.7, 1));

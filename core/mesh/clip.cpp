@@ -10,38 +10,6 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// The vertices around each of a few vertices.
-struct Rings {
-  std::vector<std::uint32_t> vertices;  // those whose values may change
-  std::vector<std::size_t> start;       // of the ring of each, and the end of the last
-  std::vector<std::uint32_t> ring;      // a neighbour counts once for every triangle shared with it
-};
-
-Rings findRings(const Mesh& mesh, const std::vector<float>& values, float limit) {
-  Rings rings;
-  std::vector<std::uint32_t> number(values.size(), kNone);
-  for (std::uint32_t v = 0; v < values.size(); ++v) {
-    if (std::abs(values[v]) >= limit) continue;
-    number[v] = std::uint32_t(rings.vertices.size());
-    rings.vertices.push_back(v);
-  }
-  rings.start.assign(rings.vertices.size() + 1, 0);
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (number[v] != kNone) rings.start[number[v] + 1] += 2;
-  for (std::size_t i = 0; i < rings.vertices.size(); ++i) rings.start[i + 1] += rings.start[i];
-  rings.ring.resize(rings.start.back());
-  std::vector<std::size_t> next(rings.start.begin(), rings.start.end() - 1);
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (number[t[i]] == kNone) continue;
-      std::size_t& at = next[number[t[i]]];
-      rings.ring[at++] = t[(i + 1) % 3];
-      rings.ring[at++] = t[(i + 2) % 3];
-    }
-  return rings;
-}
-
 // Clipper: copies what stays and cuts the triangles between.
 class Clipper {
  public:
@@ -76,6 +44,7 @@ class Clipper {
       if (!mesh_.normals.empty()) result_.normals.push_back(mesh_.normals[v]);
       if (!mesh_.visibility.empty()) result_.visibility.push_back(mesh_.visibility[v]);
       if (!mesh_.labels.empty()) result_.labels.push_back(mesh_.labels[v]);
+      if (!mesh_.measured.empty()) result_.measured.push_back(mesh_.measured[v]);
     }
   }
 
@@ -92,6 +61,8 @@ class Clipper {
     if (!mesh_.visibility.empty())
       result_.visibility.push_back(glm::mix(mesh_.visibility[kept], mesh_.visibility[lost], t));
     if (!mesh_.labels.empty()) result_.labels.push_back(mesh_.labels[kept]);
+    if (!mesh_.measured.empty())
+      result_.measured.push_back(glm::mix(mesh_.measured[kept], mesh_.measured[lost], t));
     return entry->second;
   }
 
@@ -118,19 +89,21 @@ class Clipper {
 
 }  // namespace
 
-std::vector<float> smoothAlong(const Mesh& mesh, std::vector<float> values, float limit, int steps,
+std::vector<float> smoothAlong(const VertexRings& rings, std::vector<float> values, float limit, int steps,
                                const Progress& progress) {
-  const Rings rings = findRings(mesh, values, limit);
-  std::vector<float> smoothed(rings.vertices.size());
+  std::vector<std::uint32_t> moving;
+  for (std::uint32_t v = 0; v < values.size(); ++v)
+    if (std::abs(values[v]) < limit) moving.push_back(v);
+  std::vector<float> smoothed(moving.size());
   for (int step = 0; step < steps; ++step) {
     progress.update(double(step) / double(steps));
-    for (std::size_t i = 0; i < rings.vertices.size(); ++i) {
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      const std::span<const std::uint32_t> ring = rings.of(moving[i]);
       float sum = 0;
-      for (std::size_t n = rings.start[i]; n < rings.start[i + 1]; ++n) sum += values[rings.ring[n]];
-      const auto count = float(std::max<std::size_t>(rings.start[i + 1] - rings.start[i], 1));
-      smoothed[i] = 0.5f * (values[rings.vertices[i]] + sum / count);
+      for (const std::uint32_t n : ring) sum += values[n];
+      smoothed[i] = 0.5f * (values[moving[i]] + sum / float(std::max<std::size_t>(ring.size(), 1)));
     }
-    for (std::size_t i = 0; i < rings.vertices.size(); ++i) values[rings.vertices[i]] = smoothed[i];
+    for (std::size_t i = 0; i < moving.size(); ++i) values[moving[i]] = smoothed[i];
   }
   return values;
 }

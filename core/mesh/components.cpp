@@ -85,6 +85,7 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress) {
     if (!mesh.normals.empty()) piece.normals.push_back(mesh.normals[v]);
     if (!mesh.visibility.empty()) piece.visibility.push_back(mesh.visibility[v]);
     if (!mesh.labels.empty()) piece.labels.push_back(mesh.labels[v]);
+    if (!mesh.measured.empty()) piece.measured.push_back(mesh.measured[v]);
   }
   progress.update(0.8);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -107,6 +108,7 @@ Mesh joinPieces(const std::vector<Mesh>& pieces) {
     whole.normals.insert(whole.normals.end(), piece.normals.begin(), piece.normals.end());
     whole.visibility.insert(whole.visibility.end(), piece.visibility.begin(), piece.visibility.end());
     whole.labels.insert(whole.labels.end(), piece.labels.begin(), piece.labels.end());
+    whole.measured.insert(whole.measured.end(), piece.measured.begin(), piece.measured.end());
     whole.cornerUvs.insert(whole.cornerUvs.end(), piece.cornerUvs.begin(), piece.cornerUvs.end());
     for (const Triangle& t : piece.triangles)
       whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -114,6 +116,7 @@ Mesh joinPieces(const std::vector<Mesh>& pieces) {
   if (whole.normals.size() != whole.positions.size()) whole.normals.clear();
   if (whole.visibility.size() != whole.positions.size()) whole.visibility.clear();
   if (whole.labels.size() != whole.positions.size()) whole.labels.clear();
+  if (whole.measured.size() != whole.positions.size()) whole.measured.clear();
   if (whole.cornerUvs.size() != whole.triangles.size()) whole.cornerUvs.clear();
   return whole;
 }

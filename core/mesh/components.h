@@ -7,7 +7,7 @@
 namespace sonoskin {
 
 // splitPieces: the connected pieces of a mesh, joined by common vertices.
-//   output   largest area first; equal areas in the order of their triangles; normals, visibility, labels and
+//   output   largest area first; equal areas in the order of their triangles; normals, visibility, measured, labels and
 //            texture coordinates are kept
 //   cost     O(n); 1 million triangles in 0.1 s
 //   errors   Cancelled
@@ -16,8 +16,7 @@ std::vector<Mesh> splitPieces(const Mesh& mesh, const Progress& progress = {});
 // pieceOfVertices: for every vertex the number of its piece in the order of splitPieces; 0xffffffff without a triangle.
 std::vector<std::uint32_t> pieceOfVertices(const Mesh& mesh);
 
-// joinPieces: one mesh of all pieces. Normals, visibility, labels and texture coordinates are kept where every piece has
-// them.
+// joinPieces: one mesh of all pieces. What vertices have is kept where every piece has it.
 Mesh joinPieces(const std::vector<Mesh>& pieces);
 
 // pieceNearest: the piece with the triangle nearest to a point.

@@ -7,7 +7,7 @@ namespace sonoskin {
 
 // decimateMesh: fewer triangles, where the shape needs them least.
 //   triangles  how many are wanted; a mesh with no more stays as it is
-//   output     about so many; vertices are some of those of the mesh, with their normals and visibility; borders stay
+//   output     about so many; vertices are some of those of the mesh, with their normals, visibility and measured; borders stay
 //              as they are. A manifold mesh stays manifold, which may leave some triangles more.
 //   method     quadric errors (meshoptimizer). Collapsing edges can close a narrow place onto itself: then it is done
 //              again with the triangles there kept as they are.

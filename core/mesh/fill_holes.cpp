@@ -52,27 +52,87 @@ double sizeAcross(const Mesh& mesh, const Loop& loop, double enough) {
   return std::sqrt(double(squared));
 }
 
-// For every piece its largest border is left out.
-void dropOuterLoops(const Mesh& mesh, std::vector<Loop>& loops) {
-  const std::vector<std::uint32_t> piece = pieceOfVertices(mesh);
-  std::unordered_map<std::uint32_t, std::pair<float, std::size_t>> largest;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    std::vector<glm::vec3> points;
-    for (const std::uint32_t h : loops[l]) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
-    const float size = boundingBox(points).diagonal();
-    auto& [most, index] =
-        largest.try_emplace(piece[originOf(mesh.triangles, loops[l][0])], -1.f, 0).first->second;
-    if (size > most) {
-      most = size;
-      index = l;
-    }
+// A border: its length and size across, mm.
+struct Extent {
+  double length = 0, size = 0;
+};
+
+Extent extentOf(const Mesh& mesh, const Loop& loop, double enough) {
+  Extent extent{0, sizeAcross(mesh, loop, enough)};
+  for (const std::uint32_t h : loop)
+    extent.length += double(glm::distance(mesh.positions[originOf(mesh.triangles, h)],
+                                          mesh.positions[originOf(mesh.triangles, nextHalfEdge(h))]));
+  return extent;
+}
+
+// Areas of the pieces, mm².
+std::vector<double> areasOf(const Mesh& mesh, const std::vector<std::uint32_t>& piece) {
+  std::vector<double> areas;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (piece[a] >= areas.size()) areas.resize(piece[a] + 1, 0);
+    areas[piece[a]] += 0.5 * double(glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
+                                                           mesh.positions[c] - mesh.positions[a])));
   }
-  std::vector<bool> isOuter(loops.size(), false);
-  for (const auto& [piece_, best] : largest) isOuter[best.second] = true;
-  std::vector<Loop> inner;
+  return areas;
+}
+
+// The largest border of every piece is no hole, or only where it is small beside the piece.
+std::vector<bool> areOutlines(const Mesh& mesh, const std::vector<Loop>& loops,
+                              const std::vector<Extent>& extents, Outline outline) {
+  constexpr double kSmall = 0.25;  // length² by area
+  const std::vector<std::uint32_t> piece = pieceOfVertices(mesh);
+  const std::vector<double> areas = areasOf(mesh, piece);
+  std::vector<std::size_t> largest(areas.size(), loops.size());
+  const auto pieceOf = [&](std::size_t l) { return piece[originOf(mesh.triangles, loops[l][0])]; };
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    std::size_t& most = largest[pieceOf(l)];
+    if (most == loops.size() || extents[l].length > extents[most].length) most = l;
+  }
+  std::vector<bool> isOutline(loops.size(), false);
+  for (const std::size_t l : largest) {
+    if (l == loops.size()) continue;
+    const bool isSmall = extents[l].length * extents[l].length < kSmall * areas[pieceOf(l)];
+    isOutline[l] = outline == Outline::keep || !isSmall;
+  }
+  return isOutline;
+}
+
+// The borders that are holes.
+std::vector<Loop> holesOf(const Mesh& mesh, std::vector<Loop> loops, const HoleOptions& options) {
+  std::erase_if(loops, [](const Loop& l) { return l.size() < 3; });
+  std::vector<Extent> extents;
+  bool anySmall = false;
+  for (const Loop& l : loops) {
+    extents.push_back(extentOf(mesh, l, options.largest));
+    anySmall = anySmall || extents.back().size <= options.largest;
+  }
+  if (!anySmall) return {};
+  std::vector<bool> isOutline(loops.size(), false);
+  if (options.outline != Outline::fill) isOutline = areOutlines(mesh, loops, extents, options.outline);
+  std::vector<Loop> holes;
   for (std::size_t l = 0; l < loops.size(); ++l)
-    if (!isOuter[l]) inner.push_back(std::move(loops[l]));
-  loops = std::move(inner);
+    if (!isOutline[l] && extents[l].size <= options.largest) holes.push_back(std::move(loops[l]));
+  return holes;
+}
+
+// The triangles that a patch may meet: those around the holes.
+Mesh surroundingsOf(const Mesh& mesh, const std::vector<Loop>& holes) {
+  std::vector<Box> boxes;
+  for (const Loop& loop : holes) {
+    std::vector<glm::vec3> points;
+    for (const std::uint32_t h : loop) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
+    const Box box = boundingBox(points);
+    boxes.push_back({box.min - box.diagonal(), box.max + box.diagonal()});
+  }
+  Mesh near;
+  near.positions = mesh.positions;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const Box box{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& other) { return overlap(box, other); }))
+      near.triangles.push_back(t);
+  }
+  return near;
 }
 
 glm::dvec3 unitNormal(const Mesh& mesh, const Triangle& t) {
@@ -86,6 +146,12 @@ Corners cornersOf(const Mesh& mesh, const Triangle& t) {
   return {glm::dvec3(mesh.positions[t[0]]), glm::dvec3(mesh.positions[t[1]]),
           glm::dvec3(mesh.positions[t[2]])};
 }
+
+// Surroundings: the triangles that a patch must not cross.
+struct Surroundings {
+  const Mesh& mesh;
+  const TriangleTree& tree;
+};
 
 // One hole on its way to being filled. Its loop runs against the border, so that the patch is seen from outside.
 class Hole {
@@ -103,7 +169,7 @@ class Hole {
 
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
-  HolePatch fill(const BorderEdges& edges, const TriangleTree& tree, const Progress& progress) const {
+  HolePatch fill(const BorderEdges& edges, const Surroundings& around, const Progress& progress) const {
     const auto isAllowed = [&](std::uint32_t i, std::uint32_t j) {
       return vertices_[i] != vertices_[j] && !edges.has(vertices_[i], vertices_[j]);
     };
@@ -113,11 +179,11 @@ class Hole {
     refinePatch(flat, sizes, isAllowed, progress.part(0, 0.4));
     HolePatch plate = flat;
     fair(plate, Fairing::thinPlate, progress.part(0.4, 0.7));
-    const std::size_t crossings = countCrossings(plate, tree);
+    const std::size_t crossings = countCrossings(plate, around);
     if (crossings == 0) return plate;
     // Where the surface folds at the border, going on smoothly may lead through it.
     fair(flat, Fairing::membrane, progress.part(0.7, 1));
-    return countCrossings(flat, tree) < crossings ? flat : plate;
+    return countCrossings(flat, around) < crossings ? flat : plate;
   }
 
  private:
@@ -145,7 +211,7 @@ class Hole {
   }
 
   // With itself and with the mesh.
-  std::size_t countCrossings(const HolePatch& patch, const TriangleTree& tree) const {
+  std::size_t countCrossings(const HolePatch& patch, const Surroundings& around) const {
     Mesh alone;
     for (const glm::dvec3& p : patch.points) alone.positions.emplace_back(p);
     alone.triangles = patch.triangles;
@@ -155,8 +221,8 @@ class Hole {
       Box box{alone.positions[t[0]], alone.positions[t[0]]};
       for (const std::uint32_t v : t)
         box = {glm::min(box.min, alone.positions[v]), glm::max(box.max, alone.positions[v])};
-      tree.forEachNear(box, [&](std::uint32_t other) {
-        count += trianglesCross(corners, cornersOf(mesh_, mesh_.triangles[other]));
+      around.tree.forEachNear(box, [&](std::uint32_t other) {
+        count += trianglesCross(corners, cornersOf(around.mesh, around.mesh.triangles[other]));
       });
     }
     return count;
@@ -213,10 +279,11 @@ void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch&
   }
 }
 
-// Normals, visibility and labels of the vertices from `first` on.
+// Normals, visibility, labels and measured of the vertices from `first` on.
 void completeVertices(Mesh& mesh, std::size_t first) {
   if (!mesh.visibility.empty()) mesh.visibility.resize(mesh.positions.size(), 0.f);
   if (!mesh.labels.empty()) mesh.labels.resize(mesh.positions.size(), 0);
+  if (!mesh.measured.empty()) mesh.measured.resize(mesh.positions.size(), 0.f);
   if (mesh.normals.empty()) return;
   Mesh shape;
   shape.positions = mesh.positions;
@@ -229,29 +296,23 @@ void completeVertices(Mesh& mesh, std::size_t first) {
 
 Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& progress) {
   Mesh filled = mesh;
-  splitFans(filled);
-  const std::vector<std::uint32_t> opposite = oppositeHalfEdges(filled.triangles, filled.positions.size());
+  const std::vector<std::uint32_t> opposite = splitFans(filled);
   progress.update(0.05);
-  std::vector<Loop> loops = borderLoops(filled.triangles, opposite);
-  if (options.keepOuter) dropOuterLoops(filled, loops);
-  std::erase_if(loops, [&](const Loop& l) {
-    return l.size() < 3 || sizeAcross(filled, l, options.largest) > options.largest;
-  });
-  if (loops.empty()) return filled;
+  const std::vector<Loop> holes = holesOf(filled, borderLoops(filled.triangles, opposite), options);
+  if (holes.empty()) return filled;
   filled.cornerUvs.clear();  // no picture has a place for what is new
-  BorderEdges edges(filled, loops);
-  const Mesh before = filled;
-  const TriangleTree tree(before);
-  const std::size_t first = filled.positions.size();
+  BorderEdges edges(filled, holes);
+  const Mesh before = filled, near = surroundingsOf(before, holes);
+  const TriangleTree tree(near);
   progress.update(0.1);
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    const Hole hole(before, opposite, loops[l]);
-    const double from = 0.1 + 0.9 * double(l) / double(loops.size());
-    const double to = 0.1 + 0.9 * double(l + 1) / double(loops.size());
-    const HolePatch patch = hole.fill(edges, tree, progress.part(from, to));
+  for (std::size_t l = 0; l < holes.size(); ++l) {
+    const Hole hole(before, opposite, holes[l]);
+    const double from = 0.1 + 0.9 * double(l) / double(holes.size());
+    const double to = 0.1 + 0.9 * double(l + 1) / double(holes.size());
+    const HolePatch patch = hole.fill(edges, {near, tree}, progress.part(from, to));
     append(filled, hole.vertices(), patch, edges);
   }
-  completeVertices(filled, first);
+  completeVertices(filled, before.positions.size());
   progress.update(1);
   return filled;
 }

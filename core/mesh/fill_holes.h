@@ -9,16 +9,19 @@ namespace sonoskin {
 
 // HoleOptions: which borders are holes.
 //   largest    size across: the greatest distance between two points of the border, mm
-//   keepOuter  the largest border of every piece is no hole, however small it is
+//   outline    what becomes of the largest border of every piece: filled as any other; kept open, however small it is;
+//              or kept open unless it is small beside its piece (length² < area/4: a disc has 12.6, a tube three times as
+//              long as wide 1, a sphere with a hole of a third of its width 0.1)
+enum class Outline { fill, keep, keepUnlessSmall };
 struct HoleOptions {
   double largest = std::numeric_limits<double>::infinity();
-  bool keepOuter = false;
+  Outline outline = Outline::fill;
 };
 
 // fillHoles: fills holes with triangles of the size of those around them, going on smoothly from the surface.
 //   input    triangles all turned the same way; where surfaces touch in a point they come apart
-//   output   the vertices and triangles of the mesh first, as they were; new vertices get normals, and visibility
-//            and label 0, where the mesh has them. No edge comes to belong to more than two triangles.
+//   output   the vertices and triangles of the mesh first, as they were; new vertices get normals, visibility,
+//            measured and label 0 where the mesh has them. No edge comes to belong to more than two triangles.
 //   method   triangulation, refinement and fairing [Liepa 2003]; see hole_triangulation.h and its neighbours
 //   cost     a hole of 100 points 20 ms, of 1000 points 1 s
 //   errors   Cancelled

@@ -84,19 +84,22 @@ void compactVertices(Mesh& mesh) {
     if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[v];
     if (!mesh.visibility.empty()) mesh.visibility[kept] = mesh.visibility[v];
     if (!mesh.labels.empty()) mesh.labels[kept] = mesh.labels[v];
+    if (!mesh.measured.empty()) mesh.measured[kept] = mesh.measured[v];
     number[v] = kept++;
   }
   mesh.positions.resize(kept);
   if (!mesh.normals.empty()) mesh.normals.resize(kept);
   if (!mesh.visibility.empty()) mesh.visibility.resize(kept);
   if (!mesh.labels.empty()) mesh.labels.resize(kept);
+  if (!mesh.measured.empty()) mesh.measured.resize(kept);
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& v : t) v = number[v];
 }
 
-void splitFans(Mesh& mesh) {
-  const std::vector<std::uint32_t> opposite = oppositeHalfEdges(mesh.triangles, mesh.positions.size());
-  std::vector<bool> isTaken(mesh.positions.size(), false), isDone(3 * mesh.triangles.size(), false);
+std::vector<std::uint32_t> splitFans(Mesh& mesh) {
+  std::vector<std::uint32_t> opposite = oppositeHalfEdges(mesh.triangles, mesh.positions.size());
+  const std::size_t before = mesh.positions.size();
+  std::vector<bool> isTaken(before, false), isDone(3 * mesh.triangles.size(), false);
   for (std::uint32_t corner = 0; corner < isDone.size(); ++corner) {
     if (isDone[corner]) continue;
     // To the first triangle of the fan, or once around it.
@@ -111,6 +114,7 @@ void splitFans(Mesh& mesh) {
       if (!mesh.normals.empty()) mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
       if (!mesh.visibility.empty()) mesh.visibility.push_back(float(mesh.visibility[vertex]));
       if (!mesh.labels.empty()) mesh.labels.push_back(std::uint8_t(mesh.labels[vertex]));
+      if (!mesh.measured.empty()) mesh.measured.push_back(float(mesh.measured[vertex]));
       vertex = std::uint32_t(mesh.positions.size() - 1);
     } else {
       isTaken[vertex] = true;
@@ -123,6 +127,8 @@ void splitFans(Mesh& mesh) {
       h = opposite[incoming];
     }
   }
+  if (mesh.positions.size() == before) return opposite;
+  return oppositeHalfEdges(mesh.triangles, mesh.positions.size());
 }
 
 }  // namespace sonoskin

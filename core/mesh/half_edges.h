@@ -26,11 +26,12 @@ std::vector<std::uint32_t> oppositeHalfEdges(const std::vector<Triangle>& triang
 std::vector<std::vector<std::uint32_t>> borderLoops(const std::vector<Triangle>& triangles,
                                                     const std::vector<std::uint32_t>& opposite);
 
-// compactVertices: drops vertices without a triangle; normals, visibility and labels of the others are kept.
+// compactVertices: drops vertices without a triangle; normals, visibility, measured and labels of the others are kept.
 void compactVertices(Mesh& mesh);
 
 // splitFans: gives every fan of triangles at a vertex a vertex of its own, so that surfaces that touch in a point or
 // in an edge of more than two triangles come apart there; the result is manifold.
-void splitFans(Mesh& mesh);
+//   output   its oppositeHalfEdges
+std::vector<std::uint32_t> splitFans(Mesh& mesh);
 
 }  // namespace sonoskin

@@ -18,12 +18,14 @@ struct MeshOptions {
   double cell = 0;
   double support = 1.0;
   double maxGap = 4;
+  double density = 0.5;
+  double narrowest = 8;
   PieceChoice piece = PieceChoice::probe;
   double companions = 0.15;
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
   double minArea = 0;
-  double fillHoles = 0;
+  double fillHoles = 8;
   int smoothing = 0;
   int triangles = 0;
 };
@@ -39,6 +41,13 @@ void fields(F&& f, O& o) {
   f(Field{"maxGap", "distance from the points beyond which the surface is cut off, in spacings of the points",
           "spacings"},
     o.maxGap, Range{1.0, 100.0});
+  f(Field{"density", "share of the usual density of points below which the surface is cut off; 0: anywhere",
+          "", "rho"},
+    o.density, Range{0.0, 1.0});
+  f(Field{"narrowest",
+          "parts at the border that are narrower are cut off, in spacings of the points; 0: none",
+          "spacings"},
+    o.narrowest, Range{0.0, 50.0});
   f(Field{"piece", "probe: the piece most in the probe's view; largest: by area; index, point: see below"},
     o.piece);
   f(Field{"companions",
@@ -49,8 +58,9 @@ void fields(F&& f, O& o) {
   f(Field{"piecePoint", "for piece = point: the piece nearest to this point of the volume's frame", "mm"},
     o.piecePoint, Range{-1e5, 1e5});
   f(Field{"minArea", "pieces with a smaller area are dropped", "mm²"}, o.minArea, Range{0.0, 1e6});
-  f(Field{"fillHoles", "holes up to this size, measured across, are filled; 0: none", "mm"}, o.fillHoles,
-    Range{0.0, 1000.0});
+  f(Field{"fillHoles", "holes inside the surface up to this size, measured across, are closed; 0: none",
+          "mm"},
+    o.fillHoles, Range{0.0, 1000.0});
   f(Field{"smoothing", "steps of smoothing that keep features and size", "steps"}, o.smoothing,
     Range{0, 200});
   f(Field{"triangles", "reduce the mesh to this many triangles; 0: all are kept", "triangles"}, o.triangles,

@@ -31,7 +31,7 @@ Mesh closedAtHoles(const Mesh& surface, const Progress& progress) {
   Mesh plain;
   plain.positions = surface.positions;
   plain.triangles = surface.triangles;
-  return fillHoles(plain, {std::numeric_limits<double>::infinity(), true}, progress);
+  return fillHoles(plain, {std::numeric_limits<double>::infinity(), Outline::keep}, progress);
 }
 
 // Against the mean of the normals: away from whoever looks at the surface.

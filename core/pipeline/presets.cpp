@@ -46,6 +46,9 @@ void thesis(Parameters& p) {
   p.reconstruction.method = ReconstructionMethod::thesis;
   p.reconstruction.regularisation = 1e-6;
   p.reconstruction.fitWeights = true;
+  p.mesh.density = 0;
+  p.mesh.narrowest = 0;
+  p.mesh.fillHoles = 0;
 }
 
 // The first rows of the thesis' tables 4.1 and 4.2; T_sa is that of the result which it calls smooth with details.

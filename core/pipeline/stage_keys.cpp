@@ -16,7 +16,7 @@ Key pieceKeyOf(const Key& surface, const MeshOptions& mesh) {
 }
 
 Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {
-  Hasher hasher("clean 1");
+  Hasher hasher("clean 2");
   return hasher.add(piece)
       .add(mesh.minArea)
       .add(mesh.fillHoles)
@@ -26,8 +26,9 @@ Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {
 }
 
 Key surfaceKeyOf(const Key& fit, const MeshOptions& mesh) {
-  Hasher hasher("surface 2");
-  return hasher.add(fit).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap).key();
+  Hasher hasher("surface 3");
+  hasher.add(fit).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap);
+  return hasher.add(mesh.density).add(mesh.narrowest).add(mesh.fillHoles).key();
 }
 
 Key fitKeyOf(const Key& points, const Parameters& p) {

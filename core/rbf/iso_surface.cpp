@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/border.h"
 #include "core/mesh/clip.h"
 #include "core/rbf/brick_mesher.h"
 #include "core/rbf/csrbf_function.h"
@@ -46,26 +47,39 @@ void computeModelNormals(const ImplicitFunction& function, const BrickField& fie
   });
 }
 
-std::vector<float> marginsOf(const SupportMargin& support, const BrickMesh& bricks,
-                             const Progress& progress) {
-  std::vector<float> margins(bricks.mesh.positions.size());
-  forEachBrick(bricks, progress, [&](std::size_t, std::size_t first, std::size_t last) {
-    SupportMargin::Hint hint;
-    for (std::size_t v = first; v < last; ++v)
-      margins[v] = support.at(bricks.mesh.positions[v], bricks.coverage[v], hint);
+// Margins: what SupportMargin says of every vertex.
+struct Margins {
+  std::vector<float> values;
+  std::vector<std::uint8_t> isBeyond;
+};
+
+Margins marginsOf(const SupportMargin& support, const BrickField& field, const BrickMesh& bricks,
+                  const Progress& progress) {
+  const std::vector<glm::vec3>&positions = bricks.mesh.positions, &normals = bricks.mesh.normals;
+  Margins margins{std::vector<float>(positions.size()), std::vector<std::uint8_t>(positions.size())};
+  forEachBrick(bricks, progress, [&](std::size_t b, std::size_t first, std::size_t last) {
+    thread_local SupportMargin::Nearby nearby;
+    support.gather(field.centre(b), brickReach(field.cell), nearby);
+    for (std::size_t v = first; v < last; ++v) {
+      const auto place = support.at(positions[v], normals[v], bricks.coverage[v], nearby);
+      margins.values[v] = place.value;
+      margins.isBeyond[v] = place.isBeyond;
+    }
   });
   return margins;
 }
 
-// Cuts off what the points do not support. The border of points is ragged; smoothed over a few spacings it is not.
-Mesh cutOff(Mesh mesh, std::vector<float> margins, double spacing, float cell, const Progress& progress) {
-  constexpr double kSmoothedOver = 5;  // spacings
-  if (std::all_of(margins.begin(), margins.end(), [](float m) { return m > 0; })) return mesh;
-  const double edges = kSmoothedOver * spacing / double(cell);
-  const int steps = std::clamp(int(2 * edges * edges), 2, 200);
-  margins = smoothAlong(mesh, std::move(margins), SupportMargin::kBand, steps, progress);
-  progress.update(1);
-  return clipMesh(mesh, margins);
+// Cuts off what the points do not support, and says how well the rest is.
+Mesh cutOff(Mesh mesh, Margins margins, const MeshOptions& options, double spacing,
+            const Progress& progress) {
+  // The border of points is ragged; their density is smoother than the distance to them.
+  const double smoothing = (options.density > 0 ? 2.5 : 5) * spacing;
+  const BorderOptions border{SupportMargin::kBand, float(smoothing), float(options.narrowest * spacing),
+                             float(options.fillHoles)};
+  Border drawn = drawBorder(mesh, std::move(margins.values), margins.isBeyond, border, progress);
+  mesh.measured = std::move(drawn.measured);
+  if (std::all_of(drawn.keep.begin(), drawn.keep.end(), [](float m) { return m > 0; })) return mesh;
+  return clipMesh(mesh, drawn.keep);
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ Mesh extractIsoSurface(const ImplicitFunction& function, const SurfacePoints& po
                        const MeshOptions& options, const Progress& progress) {
   const double spacing = pointSpacing(points.positions);
   const auto gap = float(options.maxGap * spacing);
-  const SupportMargin support(points.positions, float(spacing), gap, float(options.support));
+  const SupportMargin support(points, {float(spacing), gap, float(options.support), float(options.density)});
   progress.update(0.05);
   const float around =
       std::min((1 + SupportMargin::kBand) * gap, function.reach) + kMarginCells * function.cell;
@@ -101,10 +115,11 @@ Mesh extractIsoSurface(const ImplicitFunction& function, const SurfacePoints& po
       sampleBricks(function, points.positions, around, wanted, progress.part(0.05, 0.45));
   BrickMesh bricks = meshBricks(field, progress.part(0.45, 0.65));
   computeModelNormals(function, field, bricks, progress.part(0.65, 0.8));
-  std::vector<float> margins = marginsOf(support, bricks, progress.part(0.8, 0.9));
-  Mesh mesh =
-      cutOff(std::move(bricks.mesh), std::move(margins), spacing, function.cell, progress.part(0.9, 0.97));
-  require(!mesh.empty(), "The surface has no part that is supported well enough; lower the mesh's support.");
+  Margins margins = marginsOf(support, field, bricks, progress.part(0.8, 0.9));
+  Mesh mesh = cutOff(std::move(bricks.mesh), std::move(margins), options, spacing, progress.part(0.9, 0.97));
+  require(!mesh.empty(),
+          "The surface has no part that is supported well enough; lower mesh.density, mesh.narrowest or "
+          "mesh.support.");
   progress.update(1);
   return mesh;
 }

@@ -17,10 +17,12 @@ float meshCell(const std::vector<glm::vec3>& points, const MeshOptions& options)
 // extractIsoSurface: the surface S = 0 of a fitted function, where the points support it.
 //   function   made for meshCell(points, options)
 //   points     the points to which it was fitted, world mm
-//   options    support, maxGap: the surface ends where the coverage Σφ is below `support` or no point is closer than
-//              maxGap spacings; that border is smoothed along the surface over two spacings
-//   output     world mm; all pieces; normals from the gradient of S, outward; manifold and oriented, closed where the
-//              points are
+//   options    density, support, maxGap: the surface ends where points are less dense than that, the coverage Σφ is below
+//              `support`, or no point is closer than maxGap spacings; the border is smoothed along the surface, and parts
+//              narrower than `narrowest` spacings go. Gaps up to `fillHoles` mm that the surface surrounds, and over
+//              which the points are not farther than maxGap, are closed by the function
+//   output     world mm; all pieces; normals from the gradient of S, outward; `measured`: 1 amid points, 0 at the border
+//              and in closed gaps; manifold and oriented, closed where the points are
 //   method     bricks of 4³ samples that follow the surface, the table of marching_cubes_table.h, vertices by linear
 //              interpolation; triangles are cut at the border
 //   cost       time and memory follow the area

@@ -132,7 +132,7 @@ void chebyshevSweeps(benchmark::State& state) {
   double voxels = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    scaleSystem(*phantomInput().volume, smoothedInput().lowPassed, k, options, nullptr, system, u.data());
+    scaleSystem(*phantomInput().volume, smoothedInput().lowPassed, k, options, {}, nullptr, system, u.data());
     state.ResumeTiming();
     voxels += double(solveFast(k, system, 2e-3, u, scratch).updates);
   }

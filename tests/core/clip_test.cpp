@@ -59,7 +59,7 @@ TEST(SmoothAlong, CalmsTheNoiseOfABorderAndLeavesWhatIsFarFromIt) {
   const Mesh sphere = test::icosphere(5, 10, glm::vec3(0));
   std::vector<float> values = heights(sphere, 3);
   for (std::size_t v = 0; v < values.size(); ++v) values[v] += 0.4f * std::sin(float(v) * 12.9898f);
-  const std::vector<float> smoothed = smoothAlong(sphere, values, 2, 10);
+  const std::vector<float> smoothed = smoothAlong(VertexRings(sphere), values, 2, 10);
   const double rough = borderLength(clipMesh(sphere, values)),
                smooth = borderLength(clipMesh(sphere, smoothed));
   const double circle = 2 * std::numbers::pi * std::sqrt(100.0 - 9);

@@ -29,7 +29,7 @@ std::size_t borderEdges(const Mesh& mesh) { return checkMesh(mesh).boundaryEdges
 TEST(FillHoles, CapOfASphereComesBack) {
   const Mesh open = withoutCap(5, 10, 8.66f);  // 30 degrees around the pole, 10 mm across
   ASSERT_GT(borderEdges(open), 40u);
-  const Mesh filled = fillHoles(open, {12, false});
+  const Mesh filled = fillHoles(open, {12, Outline::fill});
   const MeshCheck check = checkMesh(filled);
   EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
   EXPECT_EQ(check.euler, 2);
@@ -49,9 +49,9 @@ TEST(FillHoles, CapOfASphereComesBack) {
 
 TEST(FillHoles, LargerHolesAndOuterBordersStay) {
   const Mesh open = withoutCap(4, 10, 8.66f);
-  const Mesh same = fillHoles(open, {9, false});
+  const Mesh same = fillHoles(open, {9, Outline::fill});
   EXPECT_EQ(same.triangles, open.triangles);
-  EXPECT_EQ(fillHoles(open, {1e9, true}).triangles, open.triangles);  // its only border is the outer one
+  EXPECT_EQ(fillHoles(open, {1e9, Outline::keep}).triangles, open.triangles);  // its only border is the outer one
 }
 
 TEST(FillHoles, OfTwoBordersTheOuterOneStays) {
@@ -59,7 +59,7 @@ TEST(FillHoles, OfTwoBordersTheOuterOneStays) {
   std::erase_if(bowl.triangles, [&](const Triangle& t) { return bowl.positions[t[0]].z < -9; });
   compactVertices(bowl);
   const std::size_t before = borderEdges(bowl);
-  const Mesh filled = fillHoles(bowl, {std::numeric_limits<double>::infinity(), true});
+  const Mesh filled = fillHoles(bowl, {std::numeric_limits<double>::infinity(), Outline::keep});
   EXPECT_LT(borderEdges(filled), before);
   EXPECT_GT(borderEdges(filled), 20u);
   EXPECT_EQ(checkMesh(filled).euler, 1);  // a disc
@@ -73,7 +73,7 @@ TEST(FillHoles, SingleTrianglesAndOddLoops) {
     return i == 5 || i == 400 || i == 401 || t[0] == 100 || t[1] == 100 || t[2] == 100;
   });
   compactVertices(mesh);
-  const Mesh filled = fillHoles(mesh, {10, false});
+  const Mesh filled = fillHoles(mesh, {10, Outline::fill});
   const MeshCheck check = checkMesh(filled);
   EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
   EXPECT_EQ(check.euler, 2);
@@ -82,7 +82,7 @@ TEST(FillHoles, SingleTrianglesAndOddLoops) {
 TEST(FillHoles, PartsOfTheMeshStayAndNewOnesAreComplete) {
   Mesh open = withoutCap(4, 10, 8.66f);
   open.visibility.assign(open.positions.size(), 1.f);
-  const Mesh filled = fillHoles(open, {12, false});
+  const Mesh filled = fillHoles(open, {12, Outline::fill});
   ASSERT_EQ(filled.normals.size(), filled.positions.size());
   ASSERT_EQ(filled.visibility.size(), filled.positions.size());
   EXPECT_TRUE(std::equal(open.positions.begin(), open.positions.end(), filled.positions.begin()));
@@ -107,7 +107,7 @@ TEST(FillHoles, LongRaggedLoopsAreCut) {
     const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % n);
     ring.triangles.insert(ring.triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
   }
-  const Mesh filled = fillHoles(ring, {50, true});
+  const Mesh filled = fillHoles(ring, {50, Outline::keep});
   EXPECT_EQ(borderEdges(filled), std::size_t(n));
   EXPECT_NEAR(surfaceArea(filled), surfaceArea(ring) + std::numbers::pi * (400 + 4.5), 5);
   EXPECT_TRUE(checkMesh(filled).manifold());
@@ -117,7 +117,7 @@ TEST(FillHoles, LongRaggedLoopsAreCut) {
 TEST(FillHoles, Cancelled) {
   ProgressSink sink;
   sink.cancel = true;
-  EXPECT_THROW(fillHoles(withoutCap(4, 10, 8.66f), {12, false}, Progress(sink)), Cancelled);
+  EXPECT_THROW(fillHoles(withoutCap(4, 10, 8.66f), {12, Outline::fill}, Progress(sink)), Cancelled);
 }
 
 }  // namespace
