@@ -61,8 +61,8 @@ void weigh(std::vector<FacePoint>& points) {
   for (FacePoint& point : points) point.weight = float(double(point.weight) / sum);
 }
 
-// Who lies around whom within the inner face, and the heights over the mean of those.
-std::vector<FaceModel::Inner> findRelief(std::vector<FacePoint>& points) {
+// Who lies around whom within the inner face.
+std::vector<FaceModel::Inner> findInner(const std::vector<FacePoint>& points) {
   constexpr float kWidth = 8, kReach = 2 * kWidth;
   std::vector<FaceModel::Inner> inner;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -77,13 +77,7 @@ std::vector<FaceModel::Inner> findRelief(std::vector<FacePoint>& points) {
       entry.around.push_back({j, share});
       sum += share;
     }
-    vec3 mean(0), normal(0);
-    for (FaceNeighbour& neighbour : entry.around) {
-      neighbour.share /= sum;
-      mean += neighbour.share * points[neighbour.point].place;
-      normal += neighbour.share * points[neighbour.point].normal;
-    }
-    points[i].relief = glm::dot(points[i].place - mean, glm::normalize(normal));
+    for (FaceNeighbour& neighbour : entry.around) neighbour.share /= sum;
     inner.push_back(std::move(entry));
   }
   return inner;
@@ -136,8 +130,7 @@ Eigen::MatrixXd takeOutMotion(const std::vector<FacePoint>& points, Eigen::Matri
     weights[Eigen::Index(i)] = double(points[i].weight);
   }
   const Eigen::MatrixXd weighted = weights.asDiagonal() * motions;
-  const Eigen::MatrixXd best =
-      (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * moves);
+  const Eigen::MatrixXd best = (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * moves);
   moves -= motions * best;
   return best;
 }
@@ -146,7 +139,8 @@ void findModes(FaceModel& model) {
   Eigen::MatrixXd moves = traitMoves(model.points);
   const Eigen::MatrixXd motions = takeOutMotion(model.points, moves);
   Eigen::VectorXd roots(moves.rows());
-  for (Eigen::Index i = 0; i < roots.size(); ++i) roots[i] = std::sqrt(double(model.points[std::size_t(i)].weight));
+  for (Eigen::Index i = 0; i < roots.size(); ++i)
+    roots[i] = std::sqrt(double(model.points[std::size_t(i)].weight));
   const Eigen::MatrixXd weighted = roots.asDiagonal() * moves;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(weighted.transpose() * weighted);
   const auto traits = headTraits();
@@ -171,7 +165,7 @@ FaceModel makeModel() {
   FaceModel model;
   model.points = placePoints();
   weigh(model.points);
-  model.inner = findRelief(model.points);
+  model.inner = findInner(model.points);
   model.places = headPlaces(HeadShape{});
   findModes(model);
   return model;

@@ -16,11 +16,9 @@ using FaceModes = std::array<float, kFaceModes>;
 //   normal   unit, outward
 //   weight   area that it stands for, times what that part tells of a face; the sum over a model is 1
 //   along    mm that it moves along its normal for one standard deviation of each mode
-//   relief   height over the skin around it, smoothed: what makes a face of a ball; 0 beside eyes, nose and mouth
 struct FacePoint {
   glm::vec3 place, normal;
   float weight = 0;
-  float relief = 0;
   std::array<float, kFaceModes> along{};
 };
 

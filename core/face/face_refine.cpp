@@ -19,7 +19,8 @@ struct Pull {
   double off = 0, weight = 0;
 };
 
-bool pullOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach, Pull& pull) {
+bool pullOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach,
+            Pull& pull) {
   const vec3 arm = face.scale * (face.turn * face.inHead(point)), place = face.at + arm;
   const Surfel* surfel = space.nearest(place);
   if (!surfel) return false;
@@ -32,7 +33,8 @@ bool pullOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& 
   if (share <= 0) return false;
   const vec3 turn = glm::cross(arm, surfel->normal);
   pull.change << double(surfel->normal.x), double(surfel->normal.y), double(surfel->normal.z), double(turn.x),
-      double(turn.y), double(turn.z), double(glm::dot(arm, surfel->normal)), Eigen::Matrix<double, kFaceModes, 1>::Zero();
+      double(turn.y), double(turn.z), double(glm::dot(arm, surfel->normal)),
+      Eigen::Matrix<double, kFaceModes, 1>::Zero();
   for (int m = 0; m < kFaceModes; ++m)
     pull.change[kMotion + m] = double(face.scale * point.along[std::size_t(m)] * agrees);
   pull.off = double(off);

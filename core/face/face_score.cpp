@@ -15,8 +15,14 @@ float agreement(const Surfel& surfel, const vec3& normal) {
   return std::clamp((glm::dot(surfel.normal, normal) - kAgrees) / (0.9f - kAgrees), 0.f, 1.f);
 }
 
+// How well a surface fits that is so many widths off, squared: 1 at 0, a half at 1.
+float fitAt(float square) {
+  const float inner = 1 + 0.41421356f * square;
+  return 1 / (inner * inner);
+}
+
 HeadPlaces mapped(const HeadPlaces& places, const auto& f) {
-  return {f(places.rightEye), f(places.leftEye), f(places.noseTip),
+  return {f(places.rightEye),   f(places.leftEye),   f(places.noseTip),
           f(places.mouthRight), f(places.mouthLeft), f(places.chin)};
 }
 
@@ -39,16 +45,21 @@ HeadPlaces placesOf(const FacePlacement& face) {
 }
 
 float faceScore(const FacePlacement& face, const FaceSpace& space, std::size_t points, float width) {
+  constexpr std::size_t kLook = 32;  // after so many points hopeless faces are given up
+  constexpr float kHopeless = 0.2f;
   const FaceModel& model = faceModel();
   const std::size_t count = std::min(points, model.points.size());
+  const bool plain = face.modes == FaceModes{};
+  const float inverse = 1 / width;
   float sum = 0, weights = 0;
   for (std::size_t i = 0; i < count; ++i) {
+    if (i == kLook && sum < kHopeless * weights) break;
     const FacePoint& point = model.points[i];
-    const vec3 place = face.toWorld(face.inHead(point));
+    const vec3 place = face.toWorld(plain ? point.place : face.inHead(point));
     weights += point.weight;
     if (const Surfel* surfel = space.nearest(place)) {
-      const float off = glm::dot(place - surfel->place, surfel->normal) / width;
-      const float fits = agreement(*surfel, face.normal(point)) * std::exp2(-off * off);
+      const float off = glm::dot(place - surfel->place, surfel->normal) * inverse;
+      const float fits = agreement(*surfel, face.normal(point)) * fitAt(off * off);
       if (fits > 0.1f) {
         sum += point.weight * fits;
         continue;
@@ -78,28 +89,44 @@ Offset offsetAt(const vec3& place, const vec3& normal, const FaceSpace& space, f
   return {before, std::abs(before) < reach};
 }
 
+// Relief: how high a point of the model stands over the mean of those around it that have a surface; and how high
+// the surface does.
+struct Relief {
+  double expected = 0, found = 0;
+};
+
+Relief reliefAt(const FaceModel::Inner& inner, const FacePlacement& face, const std::vector<Offset>& offsets) {
+  const FaceModel& model = faceModel();
+  vec3 place(0), normal(0);
+  float before = 0, shares = 0;
+  for (const FaceNeighbour& neighbour : inner.around) {
+    if (!offsets[neighbour.point].there) continue;
+    const FacePoint& point = model.points[neighbour.point];
+    place += neighbour.share * face.inHead(point);
+    normal += neighbour.share * point.normal;
+    before += neighbour.share * offsets[neighbour.point].before;
+    shares += neighbour.share;
+  }
+  const vec3 over = face.inHead(model.points[inner.point]) - place / shares;
+  const float expected = face.scale * glm::dot(over, glm::normalize(normal));
+  return {double(expected), double(expected + offsets[inner.point].before - before / shares)};
+}
+
 // The correlation of two reliefs over the inner face, and the gain from one to the other.
-void compareRelief(const std::vector<Offset>& offsets, FaceEvidence& evidence, float scale) {
+void compareRelief(const std::vector<Offset>& offsets, const FacePlacement& face, FaceEvidence& evidence) {
   const FaceModel& model = faceModel();
   double n = 0, all = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (const FaceModel::Inner& inner : model.inner) {
     const double weight = double(model.points[inner.point].weight);
     all += weight;
     if (!offsets[inner.point].there) continue;
-    float mean = 0, shares = 0;
-    for (const FaceNeighbour& neighbour : inner.around) {
-      if (!offsets[neighbour.point].there) continue;
-      mean += neighbour.share * offsets[neighbour.point].before;
-      shares += neighbour.share;
-    }
-    const double expected = double(scale * model.points[inner.point].relief);
-    const double found = expected + double(offsets[inner.point].before - mean / shares);
+    const Relief relief = reliefAt(inner, face, offsets);
     n += weight;
-    a += weight * expected;
-    b += weight * found;
-    aa += weight * expected * expected;
-    bb += weight * found * found;
-    ab += weight * expected * found;
+    a += weight * relief.expected;
+    b += weight * relief.found;
+    aa += weight * relief.expected * relief.expected;
+    bb += weight * relief.found * relief.found;
+    ab += weight * relief.expected * relief.found;
   }
   if (n < 0.2 * all) return;
   const double va = aa / n - a * a / (n * n), vb = bb / n - b * b / (n * n), vab = ab / n - a * b / (n * n);
@@ -131,7 +158,7 @@ FaceEvidence faceEvidence(const FacePlacement& face, const FaceSpace& space) {
   evidence.explained = float(explained);
   evidence.against = float(against);
   evidence.residual = float(std::sqrt(squares / std::max(explained, 1e-9)));
-  compareRelief(offsets, evidence, face.scale);
+  compareRelief(offsets, face, evidence);
   return evidence;
 }
 

@@ -101,8 +101,8 @@ void keepBest(std::vector<FaceHypothesis>& all, std::size_t count) {
 }
 
 bool alike(const FacePlacement& a, const FacePlacement& b) {
-  return glm::distance(a.toWorld(kAnchor), b.toWorld(kAnchor)) < 6 * a.scale && glm::dot(a.up(), b.up()) > 0.9f &&
-         glm::dot(a.front(), b.front()) > 0.9f;
+  return glm::distance(a.toWorld(kAnchor), b.toWorld(kAnchor)) < 6 * a.scale &&
+         glm::dot(a.up(), b.up()) > 0.9f && glm::dot(a.front(), b.front()) > 0.9f;
 }
 
 void keepUnlike(std::vector<FaceHypothesis>& all, std::size_t count) {

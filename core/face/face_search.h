@@ -21,7 +21,7 @@ struct FaceHypothesis {
 //   output   empty where there are too few points
 //   cost     0.1 s of one core
 //   errors   Cancelled
-std::vector<FaceHypothesis> searchFaces(const FaceSpace& space, const glm::vec3& toProbe, const SizePrior& size,
-                                        const Progress& progress = {});
+std::vector<FaceHypothesis> searchFaces(const FaceSpace& space, const glm::vec3& toProbe,
+                                        const SizePrior& size, const Progress& progress = {});
 
 }  // namespace sonoskin

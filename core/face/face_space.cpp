@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/volume/sample.h"
 
@@ -55,7 +54,8 @@ void FaceSpace::gather(const SurfacePoints& points) {
   for (std::size_t s = 0; s < surfels_.size(); ++s) {
     surfels_[s].place /= counts[s];
     const float length = glm::length(surfels_[s].normal);
-    surfels_[s].normal = length > 0 ? surfels_[s].normal / length : vec3(0);  // two sides that meet: no normal
+    surfels_[s].normal =
+        length > 0 ? surfels_[s].normal / length : vec3(0);  // two sides that meet: no normal
   }
 }
 
@@ -92,34 +92,37 @@ void FaceSpace::spread() {
   }
 }
 
-// From the far end of the beams to the near one: a dark cell is free if the next one along its beam is free, or holds
-// a surface that faces the probe.
+// From the far end of the beams to the near one, plane by plane: a dark cell is free if the next one along its beam is
+// free, or holds a surface that faces the probe.
 void FaceSpace::findFree(const FaceInput& input) {
+  const vec3 axis(input.beam.axis), size = glm::abs(axis);
+  const int a = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const int b = (a + 1) % 3, c = (a + 2) % 3;
+  glm::ivec3 cell;
+  for (int plane = 0; plane < dims_[a]; ++plane) {
+    cell[a] = axis[a] > 0 ? dims_[a] - 1 - plane : plane;
+    for (cell[b] = 0; cell[b] < dims_[b]; ++cell[b])
+      for (cell[c] = 0; cell[c] < dims_[c]; ++cell[c]) {
+        const vec3 centre = centreOf(cell.x, cell.y, cell.z);
+        const vec3 along(input.beam.directionAt(glm::dvec3(centre)));
+        const vec3 next = centre + along * (cell_ / std::max(std::abs(along[a]), 0.3f));
+        kinds_[std::size_t(indexOf(centre))] = kindOf(input, centre, along, next);
+      }
+  }
+}
+
+FaceSpace::Kind FaceSpace::kindOf(const FaceInput& input, const vec3& centre, const vec3& along,
+                                  const vec3& next) const {
   const Geometry& g = input.lowPassed->geometry;
-  std::vector<std::uint32_t> order(nearest_.size());
-  std::vector<float> depth(nearest_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto cellOf = [&](std::uint32_t at) {
-    const int i = int(at) % dims_.x, jk = int(at) / dims_.x;
-    return centreOf(i, jk % dims_.y, jk / dims_.y);
-  };
-  for (std::uint32_t at : order) {
-    const glm::dvec3 c(cellOf(at));
-    depth[at] = float(input.beam.apex ? glm::distance(c, *input.beam.apex) : glm::dot(c, input.beam.axis));
-  }
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return depth[a] > depth[b]; });
-  for (std::uint32_t at : order) {
-    const vec3 centre = cellOf(at);
-    const vec3 index(g.toIndex(glm::dvec3(centre)));
-    if (glm::any(glm::lessThan(index, vec3(0))) || glm::any(glm::greaterThan(index, vec3(g.dims - 1)))) continue;
-    if (sampleTrilinear(*input.lowPassed, index) >= input.fluid) continue;
-    const vec3 along(input.beam.directionAt(glm::dvec3(centre)));
-    const vec3 next = centre + cell_ * along;
-    const Surfel* skin = nearest(next);
-    const bool meets = skin && glm::dot(skin->normal, along) < -0.2f &&
-                       glm::distance(skin->place, next) < 1.2f * cell_;
-    kinds_[at] = meets || kind(next) == Kind::free ? Kind::free : Kind::dark;
-  }
+  const vec3 index(g.toIndex(glm::dvec3(centre)));
+  if (glm::any(glm::lessThan(index, vec3(0))) || glm::any(glm::greaterThan(index, vec3(g.dims - 1))))
+    return Kind::unknown;
+  if (sampleTrilinear(*input.lowPassed, index) >= input.fluid) return Kind::unknown;
+  if (kind(next) == Kind::free) return Kind::free;
+  const Surfel* skin = nearest(next);
+  const bool meets =
+      skin && glm::dot(skin->normal, along) < -0.2f && glm::distance(skin->place, next) < 1.2f * cell_;
+  return meets ? Kind::free : Kind::dark;
 }
 
 }  // namespace sonoskin

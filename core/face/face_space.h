@@ -64,6 +64,8 @@ class FaceSpace {
   void gather(const SurfacePoints& points);
   void spread();
   void findFree(const FaceInput& input);
+  Kind kindOf(const FaceInput& input, const glm::vec3& centre, const glm::vec3& along,
+              const glm::vec3& next) const;
 
   glm::vec3 low_{0};
   float cell_ = 1, inverse_ = 1;
