@@ -9,7 +9,7 @@
 namespace sonoskin {
 
 // FaceModes: how far a face goes along each mode of shape; 0 is the mean face, 1 one standard deviation.
-inline constexpr int kFaceModes = 8;
+inline constexpr int kFaceModes = 14;
 using FaceModes = std::array<float, kFaceModes>;
 
 // FacePoint: a place on the skin of the mean face, in the head's frame (fetal_head.h), mm.

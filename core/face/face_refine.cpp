@@ -57,7 +57,7 @@ void apply(const Row& step, FacePlacement& face) {
 FacePlacement refineFace(const FacePlacement& start, const FaceSpace& space, const SizePrior& size,
                          const RefineSteps& steps) {
   // Neighbours tell much the same: so many independent measurements there are, each good to a millimetre.
-  constexpr double kMeasurements = 150, kEnough = 0.1;
+  constexpr double kMeasurements = 150, kEnough = 0.1, kModePrior = 0.3;
   const FaceModel& model = faceModel();
   const std::size_t count = std::min(steps.points, model.points.size());
   FacePlacement face = start;
@@ -82,8 +82,8 @@ FacePlacement refineFace(const FacePlacement& start, const FaceSpace& space, con
     system(6, 6) += 1 / spread;
     right[6] -= std::log(double(face.scale / size.middle)) / spread;
     for (int m = 0; m < kFaceModes; ++m) {
-      system(kMotion + m, kMotion + m) += steps.modes ? 1 : 1e12;
-      if (steps.modes) right[kMotion + m] -= double(face.modes[std::size_t(m)]);
+      system(kMotion + m, kMotion + m) += steps.modes ? kModePrior : 1e12;
+      if (steps.modes) right[kMotion + m] -= kModePrior * double(face.modes[std::size_t(m)]);
     }
     for (int n = 0; n < 6; ++n) system(n, n) += 1e-3;
     apply(system.selfadjointView<Eigen::Lower>().ldlt().solve(right), face);

@@ -74,53 +74,58 @@ float faceScore(const FacePlacement& face, const FaceSpace& space, std::size_t p
 
 namespace {
 
-// How far the surface lies before a model's point, along its normal; and whether there is one.
-struct Offset {
-  float before = 0;
+// Meeting: a point of the model in the world, and the place of the surface nearest to it, if there is one.
+struct Meeting {
+  vec3 place, found, normal;  // `normal` of what was found
+  float before = 0;           // mm that the surface lies before the point
   bool there = false;
 };
 
-Offset offsetAt(const vec3& place, const vec3& normal, const FaceSpace& space, float reach) {
-  const Surfel* surfel = space.nearest(place);
-  if (!surfel) return {};
-  const float along = glm::dot(surfel->normal, normal);
-  if (along < 0.25f) return {};
-  const float before = glm::dot(surfel->place - place, surfel->normal) / std::max(along, 0.5f);
-  return {before, std::abs(before) < reach};
+Meeting meetingOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach) {
+  Meeting m;
+  m.place = face.toWorld(face.inHead(point));
+  const Surfel* surfel = space.nearest(m.place);
+  if (!surfel || glm::dot(surfel->normal, face.normal(point)) < 0.25f) return m;
+  m.before = glm::dot(surfel->place - m.place, surfel->normal);
+  m.normal = surfel->normal;
+  m.found = m.place + m.before * m.normal;
+  m.there = std::abs(m.before) < reach;
+  return m;
 }
 
 // Relief: how high a point of the model stands over the mean of those around it that have a surface; and how high
-// the surface does.
+// that surface does.
 struct Relief {
   double expected = 0, found = 0;
 };
 
-Relief reliefAt(const FaceModel::Inner& inner, const FacePlacement& face, const std::vector<Offset>& offsets) {
-  const FaceModel& model = faceModel();
-  vec3 place(0), normal(0);
-  float before = 0, shares = 0;
+Relief reliefAt(const FaceModel::Inner& inner, const FacePlacement& face,
+                const std::vector<Meeting>& meetings) {
+  vec3 place(0), found(0), up(0), foundUp(0);
+  float shares = 0;
   for (const FaceNeighbour& neighbour : inner.around) {
-    if (!offsets[neighbour.point].there) continue;
-    const FacePoint& point = model.points[neighbour.point];
-    place += neighbour.share * face.inHead(point);
-    normal += neighbour.share * point.normal;
-    before += neighbour.share * offsets[neighbour.point].before;
+    const Meeting& there = meetings[neighbour.point];
+    if (!there.there) continue;
+    place += neighbour.share * there.place;
+    found += neighbour.share * there.found;
+    up += neighbour.share * face.normal(faceModel().points[neighbour.point]);
+    foundUp += neighbour.share * there.normal;
     shares += neighbour.share;
   }
-  const vec3 over = face.inHead(model.points[inner.point]) - place / shares;
-  const float expected = face.scale * glm::dot(over, glm::normalize(normal));
-  return {double(expected), double(expected + offsets[inner.point].before - before / shares)};
+  const Meeting& here = meetings[inner.point];
+  return {double(glm::dot(here.place - place / shares, glm::normalize(up))),
+          double(glm::dot(here.found - found / shares, glm::normalize(foundUp)))};
 }
 
 // The correlation of two reliefs over the inner face, and the gain from one to the other.
-void compareRelief(const std::vector<Offset>& offsets, const FacePlacement& face, FaceEvidence& evidence) {
+void compareRelief(const std::vector<Meeting>& meetings, const FacePlacement& face, FaceEvidence& evidence) {
   const FaceModel& model = faceModel();
   double n = 0, all = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (const FaceModel::Inner& inner : model.inner) {
     const double weight = double(model.points[inner.point].weight);
     all += weight;
-    if (!offsets[inner.point].there) continue;
-    const Relief relief = reliefAt(inner, face, offsets);
+    if (!meetings[inner.point].there) continue;
+    const Relief relief = reliefAt(inner, face, meetings);
     n += weight;
     a += weight * relief.expected;
     b += weight * relief.found;
@@ -129,9 +134,10 @@ void compareRelief(const std::vector<Offset>& offsets, const FacePlacement& face
     ab += weight * relief.expected * relief.found;
   }
   if (n < 0.2 * all) return;
+  constexpr double kNoise = 0.1;  // mm², so that the noise of a smooth surface is like nothing
   const double va = aa / n - a * a / (n * n), vb = bb / n - b * b / (n * n), vab = ab / n - a * b / (n * n);
   evidence.seen = float(n / all);
-  evidence.relief = float(vab / std::sqrt(std::max(va * vb, 1e-12)));
+  evidence.relief = float(vab / std::sqrt(va * (vb + kNoise) + 1e-12));
   evidence.gain = float(vab / std::max(va, 1e-12));
 }
 
@@ -141,24 +147,22 @@ FaceEvidence faceEvidence(const FacePlacement& face, const FaceSpace& space) {
   const FaceModel& model = faceModel();
   const float reach = 8 * face.scale, near = 2.5f * face.scale;
   FaceEvidence evidence;
-  std::vector<Offset> offsets(model.points.size());
+  std::vector<Meeting> meetings(model.points.size());
   double explained = 0, against = 0, squares = 0;
   for (std::size_t i = 0; i < model.points.size(); ++i) {
-    const FacePoint& point = model.points[i];
-    const vec3 place = face.toWorld(face.inHead(point));
-    const double weight = double(point.weight);
-    offsets[i] = offsetAt(place, face.normal(point), space, reach);
-    if (offsets[i].there && std::abs(offsets[i].before) < near) {
+    const double weight = double(model.points[i].weight);
+    const Meeting meeting = meetings[i] = meetingOf(model.points[i], face, space, reach);
+    if (meeting.there && std::abs(meeting.before) < near) {
       explained += weight;
-      squares += weight * double(offsets[i].before * offsets[i].before);
-    } else if (space.kind(place) == FaceSpace::Kind::free) {
+      squares += weight * double(meeting.before * meeting.before);
+    } else if (space.kind(meeting.place) == FaceSpace::Kind::free) {
       against += weight;
     }
   }
   evidence.explained = float(explained);
   evidence.against = float(against);
   evidence.residual = float(std::sqrt(squares / std::max(explained, 1e-9)));
-  compareRelief(offsets, face, evidence);
+  compareRelief(meetings, face, evidence);
   return evidence;
 }
 

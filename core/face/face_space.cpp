@@ -19,6 +19,7 @@ FaceSpace::FaceSpace(const FaceInput& input) {
   if (input.points.size() == 0) return;
   place(input.points);
   gather(input.points);
+  dropStrays();
   spread();
   if (input.lowPassed) findFree(input);
 }
@@ -57,6 +58,29 @@ void FaceSpace::gather(const SurfacePoints& points) {
     surfels_[s].normal =
         length > 0 ? surfels_[s].normal / length : vec3(0);  // two sides that meet: no normal
   }
+}
+
+// A surface passes through many of the cells around one of its own; a stray point is alone.
+void FaceSpace::dropStrays() {
+  constexpr int kCompany = 4;
+  const std::vector<std::uint32_t> held = nearest_;
+  for (std::size_t s = 0; s < surfels_.size(); ++s) {
+    const std::ptrdiff_t at = indexOf(surfels_[s].place);
+    int company = 0;
+    for (int n = 0; n < 27; ++n) {
+      const std::ptrdiff_t aside =
+          (std::ptrdiff_t(n / 9 - 1) * dims_.y + (n / 3 % 3 - 1)) * dims_.x + (n % 3 - 1);
+      company += held[std::size_t(at + aside)] != kNone;
+    }
+    if (company < kCompany) nearest_[std::size_t(at)] = kNone;
+  }
+  std::vector<Surfel> kept;
+  for (std::uint32_t& at : nearest_) {
+    if (at == kNone) continue;
+    kept.push_back(surfels_[at]);
+    at = std::uint32_t(kept.size() - 1);
+  }
+  surfels_ = std::move(kept);
 }
 
 // Each cell asks its six neighbours for their surfel, forward and back, twice.

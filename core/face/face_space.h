@@ -62,6 +62,7 @@ class FaceSpace {
 
   void place(const SurfacePoints& points);
   void gather(const SurfacePoints& points);
+  void dropStrays();
   void spread();
   void findFree(const FaceInput& input);
   Kind kindOf(const FaceInput& input, const glm::vec3& centre, const glm::vec3& along,
