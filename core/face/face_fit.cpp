@@ -20,14 +20,25 @@ vec3 middleOf(const SurfacePoints& points) {
 
 // How good a hypothesis is once its relief is known.
 float worth(const FaceHypothesis& h, const FaceEvidence& e) {
-  return h.score * (0.3f + std::max(e.relief, 0.f));
+  return h.score * std::pow(std::max(e.relief, 0.f), 1.5f);
 }
 
+// Fitted by hand to 60 simulated heads turned by up to 60 degrees, 48 surfaces without a face, and four real scans.
 float confidenceOf(const FaceFit& fit) {
   const FaceEvidence& e = fit.evidence;
-  const float z =
-      9 * (e.relief - 0.45f) + 4 * (e.explained - 0.55f) - 10 * e.against - 2 * (fit.rival - 0.6f);
-  return e.seen > 0 ? 1 / (1 + std::exp(-z)) : 0;
+  if (e.seen < 0.3f) return 0;
+  const float z = 18 * (e.relief - 0.5f) + 13 * (0.62f - fit.rival) + 4.5f * (std::min(e.gain, 1.f) - 0.6f) +
+                  9 * std::min(e.explained - 0.5f, 0.f) - 10 * e.against - 2;
+  return 1 / (1 + std::exp(-z));
+}
+
+// Onto the surface, where one is near.
+vec3 settled(const vec3& place, const FacePlacement& face, const FaceSpace& space) {
+  constexpr float kNear = 3;
+  const Surfel* surfel = space.nearest(place);
+  if (!surfel || glm::dot(surfel->normal, face.front()) < 0.2f) return place;
+  const float before = glm::dot(surfel->place - place, surfel->normal);
+  return std::abs(before) < kNear * face.scale ? place + before * surfel->normal : place;
 }
 
 }  // namespace
@@ -58,6 +69,9 @@ FaceFit fitFace(const FaceInput& input, const FaceOptions& options, const Progre
   if (best <= 0) return fit;
   fit.rival = second / best;
   fit.places = placesOf(fit.placement);
+  for (vec3* place : {&fit.places.rightEye, &fit.places.leftEye, &fit.places.noseTip, &fit.places.mouthRight,
+                      &fit.places.mouthLeft, &fit.places.chin})
+    *place = settled(*place, fit.placement, space);
   fit.up = fit.placement.up();
   fit.front = fit.placement.front();
   fit.headHeight = kFirstHeight * fit.placement.scale;

@@ -83,28 +83,52 @@ std::vector<FaceModel::Inner> findInner(const std::vector<FacePoint>& points) {
   return inner;
 }
 
+constexpr std::array kPlaces{&HeadPlaces::rightEye,   &HeadPlaces::leftEye,   &HeadPlaces::noseTip,
+                             &HeadPlaces::mouthRight, &HeadPlaces::mouthLeft, &HeadPlaces::chin};
+
+// Variations: in which ways faces differ, by one standard deviation of each.
+//   along    mm that each point moves along its normal: a row for each point, a column for each way
+//   places   how far the landmarks move
+struct Variations {
+  Eigen::MatrixXd along;
+  std::vector<HeadPlaces> places;
+};
+
 HeadShape varied(const HeadTrait& trait, float deviations) {
   HeadShape shape;
   shape.*trait.number += deviations * trait.spread;
   return shape;
 }
 
-// What each trait does to the points: mm along the normal for one standard deviation.
-Eigen::MatrixXd traitMoves(const std::vector<FacePoint>& points) {
+HeadPlaces half(const HeadPlaces& more, const HeadPlaces& less) {
+  HeadPlaces result;
+  for (const auto place : kPlaces) result.*place = 0.5f * (more.*place - less.*place);
+  return result;
+}
+
+// The family's traits; and, for scans whose spacing is nominal, the whole stretched upward or forward.
+Variations findVariations(const std::vector<FacePoint>& points, const HeadPlaces& mean) {
+  constexpr float kStretch = 0.05f;
   const auto traits = headTraits();
-  Eigen::MatrixXd moves(Eigen::Index(points.size()), Eigen::Index(traits.size()));
+  Variations found{Eigen::MatrixXd(Eigen::Index(points.size()), Eigen::Index(traits.size() + 2)),
+                   std::vector<HeadPlaces>(traits.size() + 2)};
   parallelFor(std::ptrdiff_t(traits.size()), [&](std::ptrdiff_t t) {
     const HeadShape less = varied(traits[std::size_t(t)], -1), more = varied(traits[std::size_t(t)], 1);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const vec3& p = points[i].place;
-      moves(Eigen::Index(i), t) = 0.5 * double(headSkin(p, less) - headSkin(p, more));
+      found.along(Eigen::Index(i), t) = 0.5 * double(headSkin(p, less) - headSkin(p, more));
     }
+    found.places[std::size_t(t)] = half(headPlaces(more), headPlaces(less));
   });
-  return moves;
+  for (const int axis : {1, 2}) {
+    const std::size_t way = traits.size() + std::size_t(axis) - 1;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      found.along(Eigen::Index(i), Eigen::Index(way)) =
+          double(kStretch * points[i].place[axis] * points[i].normal[axis]);
+    for (const auto place : kPlaces) (found.places[way].*place)[axis] = kStretch * (mean.*place)[axis];
+  }
+  return found;
 }
-
-constexpr std::array kPlaces{&HeadPlaces::rightEye,   &HeadPlaces::leftEye,   &HeadPlaces::noseTip,
-                             &HeadPlaces::mouthRight, &HeadPlaces::mouthLeft, &HeadPlaces::chin};
 
 // What moves, turns and scales the whole: shifts of x, y, z; turns about them; size.
 using Motion = Eigen::Matrix<double, 7, 1>;
@@ -121,8 +145,8 @@ vec3 moved(const vec3& p, const Motion& m) {
   return vec3{float(m[0]), float(m[1]), float(m[2])} + glm::cross(turn, p) + float(m[6]) * p;
 }
 
-// Takes out of every trait what motions of the whole do as well; returns those motions, a column per trait.
-Eigen::MatrixXd takeOutMotion(const std::vector<FacePoint>& points, Eigen::MatrixXd& moves) {
+// Takes out of every variation what motions of the whole do as well.
+void takeOutMotion(const std::vector<FacePoint>& points, const HeadPlaces& mean, Variations& variations) {
   Eigen::MatrixXd motions(Eigen::Index(points.size()), 7);
   Eigen::VectorXd weights(Eigen::Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -130,33 +154,33 @@ Eigen::MatrixXd takeOutMotion(const std::vector<FacePoint>& points, Eigen::Matri
     weights[Eigen::Index(i)] = double(points[i].weight);
   }
   const Eigen::MatrixXd weighted = weights.asDiagonal() * motions;
-  const Eigen::MatrixXd best = (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * moves);
-  moves -= motions * best;
-  return best;
+  const Eigen::MatrixXd best =
+      (motions.transpose() * weighted).ldlt().solve(weighted.transpose() * variations.along);
+  variations.along -= motions * best;
+  for (std::size_t way = 0; way < variations.places.size(); ++way) {
+    const Motion motion = best.col(Eigen::Index(way));
+    for (const auto place : kPlaces) variations.places[way].*place -= moved(mean.*place, motion);
+  }
 }
 
 void findModes(FaceModel& model) {
-  Eigen::MatrixXd moves = traitMoves(model.points);
-  const Eigen::MatrixXd motions = takeOutMotion(model.points, moves);
-  Eigen::VectorXd roots(moves.rows());
-  for (Eigen::Index i = 0; i < roots.size(); ++i)
-    roots[i] = std::sqrt(double(model.points[std::size_t(i)].weight));
-  const Eigen::MatrixXd weighted = roots.asDiagonal() * moves;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(weighted.transpose() * weighted);
-  const auto traits = headTraits();
+  Variations variations = findVariations(model.points, model.places);
+  takeOutMotion(model.points, model.places, variations);
+  const Eigen::MatrixXd& along = variations.along;
+  Eigen::VectorXd weights(along.rows());
+  for (Eigen::Index i = 0; i < along.rows(); ++i) weights[i] = double(model.points[std::size_t(i)].weight);
+  const Eigen::MatrixXd weighted = weights.asDiagonal() * along;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(along.transpose() * weighted);
   for (int mode = 0; mode < kFaceModes; ++mode) {
-    const Eigen::VectorXd mix = principal.eigenvectors().col(Eigen::Index(traits.size()) - 1 - mode);
-    const Eigen::VectorXd along = moves * mix;
+    const Eigen::VectorXd mix = principal.eigenvectors().col(along.cols() - 1 - mode);
+    const Eigen::VectorXd moves = along * mix;
     for (std::size_t i = 0; i < model.points.size(); ++i)
-      model.points[i].along[std::size_t(mode)] = float(along[Eigen::Index(i)]);
-    for (const auto place : kPlaces) model.moves[std::size_t(mode)].*place = vec3(0);
-    for (std::size_t t = 0; t < traits.size(); ++t) {
-      const HeadPlaces less = headPlaces(varied(traits[t], -1)), more = headPlaces(varied(traits[t], 1));
-      const Motion motion = motions.col(Eigen::Index(t));
-      for (const auto place : kPlaces)
-        model.moves[std::size_t(mode)].*place +=
-            float(mix[Eigen::Index(t)]) *
-            (0.5f * (more.*place - less.*place) - moved(model.places.*place, motion));
+      model.points[i].along[std::size_t(mode)] = float(moves[Eigen::Index(i)]);
+    for (const auto place : kPlaces) {
+      vec3 sum(0);
+      for (std::size_t way = 0; way < variations.places.size(); ++way)
+        sum += float(mix[Eigen::Index(way)]) * variations.places[way].*place;
+      model.moves[std::size_t(mode)].*place = sum;
     }
   }
 }
