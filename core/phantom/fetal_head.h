@@ -25,7 +25,7 @@ float headBone(const glm::vec3& p);
 //   eyes   the middle of the closed lids; "right" and "left" are the baby's own
 //   chin   the middle of its front
 struct HeadPlaces {
-  glm::vec3 rightEye, leftEye, noseTip, mouthRight, mouthLeft, chin;
+  glm::vec3 rightEye{0}, leftEye{0}, noseTip{0}, mouthRight{0}, mouthLeft{0}, chin{0};
 };
 HeadPlaces headPlaces(const HeadShape& shape);
 

@@ -7,7 +7,7 @@ import sys
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__ + "/../../..").resolve()
 LAYERS = {"core": 0, "render": 1, "app": 2}
 # Inside core a folder may include itself and folders of a lower rank; equal ranks do not know each other.
-RANKS = {"base": 0, "volume": 1, "mesh": 2, "io": 3, "phantom": 3, "enhancement": 3, "classification": 3, "surface": 3, "rbf": 4,
+RANKS = {"base": 0, "volume": 1, "mesh": 2, "io": 3, "phantom": 3, "enhancement": 3, "classification": 3, "surface": 3, "rbf": 4, "face": 4,
          "skin": 4, "pipeline": 5}
 # Libraries and the one place that may see each.
 LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
