@@ -6,6 +6,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_tree.h"
+#include "core/phantom/body_part.h"
 #include "core/phantom/phantom_options.h"
 
 namespace sonoskin::accuracy {
@@ -35,12 +36,11 @@ struct FaceAnatomy {
 FaceAnatomy phantomAnatomy(const PhantomOptions& options);
 
 // TruthPlace: one of many places spread evenly over the skin that the probe sees; each stands for the same area.
-//   label   BodyPart, or kNoLabel
+//   part   other where the truth has no labels
 struct TruthPlace {
   glm::vec3 position{0}, normal{0};
-  int label = -1;
+  BodyPart part = BodyPart::other;
 };
-inline constexpr int kNoLabel = -1;
 
 // FaceTruth: the skin of one simulated baby, ready to be compared with.
 class FaceTruth {
