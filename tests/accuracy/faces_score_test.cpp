@@ -184,6 +184,11 @@ TEST(FacesScore, ThePhantomBringsItsAnatomy) {
   EXPECT_LT(score.eyes, 1);
   EXPECT_LT(score.nose, 1);
   EXPECT_LT(score.mouth, 1);
+  const FacePose& pose = truth.pose();
+  const glm::dvec3 eyes = 0.5 * (pose.places.rightEye + pose.places.leftEye);
+  EXPECT_GT(glm::dot(eyes - 0.5 * (pose.places.mouthRight + pose.places.mouthLeft), pose.up), 15);
+  EXPECT_GT(glm::dot(pose.places.noseTip - eyes, pose.front), 5);
+  EXPECT_NEAR(glm::dot(pose.up, pose.front), 0, 1e-5);
   const FaceScore shifted = scoreFace(joinPieces({truth.skin(), icosphere(4, 8, {20, 5, 20})}), truth);
   EXPECT_GT(shifted.tissue, 0) << "the wall lies there";
   EXPECT_NEAR(shifted.tissue, shifted.foreign, 0.01);

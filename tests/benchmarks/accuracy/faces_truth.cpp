@@ -70,7 +70,9 @@ FaceAnatomy phantomAnatomy(const PhantomOptions& options) {
       {Feature{places.rightEye, 0.25f * apart}, Feature{places.leftEye, 0.25f * apart}},
       {places.noseTip, 0.3f * apart},
       {0.5 * (places.mouthRight + places.mouthLeft), 0.4f * apart}};
-  return {features, [model](const glm::dvec3& p) { return model->other(p); }};
+  const glm::mat3& toHead = model->head().worldToHead;  // its rows are the head's axes in the world
+  const FacePose pose{places, glm::transpose(toHead)[1], glm::transpose(toHead)[2]};
+  return {features, [model](const glm::dvec3& p) { return model->other(p); }, pose};
 }
 
 }  // namespace sonoskin::accuracy

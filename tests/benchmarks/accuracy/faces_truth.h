@@ -7,6 +7,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/phantom/body_part.h"
+#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom_options.h"
 
 namespace sonoskin::accuracy {
@@ -25,11 +26,19 @@ struct FeaturePlaces {
   Feature nose, mouth;
 };
 
+// FacePose: where a face is and how it is turned. World mm.
+//   up, front   unit, across each other: to the crown, and where the nose points
+struct FacePose {
+  FacePlaces places;
+  glm::dvec3 up{0, 1, 0}, front{0, 0, 1};
+};
+
 // FaceAnatomy: what is known of a simulated baby beside its skin.
 //   other   signed distance to tissue that is not the baby's, mm; empty where there is none
 struct FaceAnatomy {
   FeaturePlaces features;
   std::function<double(const glm::dvec3& world)> other;
+  FacePose pose{};
 };
 
 // phantomAnatomy: that of the phantom.
@@ -64,6 +73,7 @@ class FaceTruth {
 
   const Mesh& skin() const { return skin_; }
   const FeaturePlaces& features() const { return anatomy_.features; }
+  const FacePose& pose() const { return anatomy_.pose; }
   // isOtherTissue: whether tissue that is not the baby's is nearer than 2 mm.
   bool isOtherTissue(const glm::vec3& query) const;
   // visible: places 0.5 mm apart, of what the probe sees.
