@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/mesh/components.h"
+#include "core/phantom/phantom.h"
 #include "tests/benchmarks/accuracy/faces_spurs.h"
 #include "tests/support/meshes.h"
 
@@ -99,7 +100,8 @@ TEST(FacesScore, OnlyWhatTheProbeSeesCounts) {
 
 TEST(FacesScore, LabelsHaveSharesOfTheirOwn) {
   Mesh labelled = ball();
-  for (const glm::vec3& p : labelled.positions) labelled.labels.push_back(p.x < 0 ? 0 : 2);
+  for (const glm::vec3& p : labelled.positions)
+    labelled.labels.push_back(std::uint8_t(p.x < 0 ? BodyPart::face : BodyPart::hand));
   const FaceTruth truth(labelled, nothingElse());
   const FaceScore score = scoreFace(partOf(ball(), [](const glm::vec3& p) { return p.x < 0; }), truth);
   EXPECT_GT(score.coveredFace, 0.98);
@@ -170,6 +172,26 @@ TEST(FacesScore, DetailIsTheAngleBetweenNormals) {
 
   const Mesh holed = partOf(ball(), [](const glm::vec3& p) { return glm::length(glm::vec2(p.x, p.z)) > 9; });
   EXPECT_NEAR(scoreFace(holed, truth).nose, 90, 1) << "what is not there has no right normal";
+}
+
+TEST(FacesScore, ThePhantomBringsItsAnatomy) {
+  PhantomOptions options;
+  options.dims = {60, 40, 16};
+  const FaceTruth truth(makePhantomTruth(options), phantomAnatomy(options));
+  const FaceScore score = scoreFace(truth.skin(), truth);
+  for (const double share : {score.covered, score.coveredFace, score.coveredHead, score.coveredHand})
+    EXPECT_EQ(share, 1);
+  EXPECT_LT(score.eyes, 1);
+  EXPECT_LT(score.nose, 1);
+  EXPECT_LT(score.mouth, 1);
+  const FacePose& pose = truth.pose();
+  const glm::dvec3 eyes = 0.5 * (pose.places.rightEye + pose.places.leftEye);
+  EXPECT_GT(glm::dot(eyes - 0.5 * (pose.places.mouthRight + pose.places.mouthLeft), pose.up), 15);
+  EXPECT_GT(glm::dot(pose.places.noseTip - eyes, pose.front), 5);
+  EXPECT_NEAR(glm::dot(pose.up, pose.front), 0, 1e-5);
+  const FaceScore shifted = scoreFace(joinPieces({truth.skin(), icosphere(4, 8, {20, 5, 20})}), truth);
+  EXPECT_GT(shifted.tissue, 0) << "the wall lies there";
+  EXPECT_NEAR(shifted.tissue, shifted.foreign, 0.01);
 }
 
 TEST(FacesScore, NothingCoversNothing) {

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/timer.h"
+#include "core/face/face_fit.h"
 #include "core/io/atomic_file.h"
 #include "core/io/mesh_encoders.h"
 #include "core/io/mesh_reader.h"
@@ -16,12 +17,16 @@
 #include "core/io/volume_writer.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/prepared.h"
+#include "tests/benchmarks/accuracy/faces_pose.h"
 #include "tests/benchmarks/accuracy/faces_table.h"
 
 namespace sonoskin::accuracy {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kFluidShare = 0.5;  // darker than halfway from the fluid to the edges is fluid
 
 // Case: one simulated baby, with the parameters of its runs: one for each setting of a sweep.
 struct Case {
@@ -106,6 +111,20 @@ void writePoints(const fs::path& path, const SurfacePoints& points) {
   writeBytes(path, bytes.data(), bytes.size());
 }
 
+// findFace: looks for the face among the points of the surface, and judges what was found.
+void findFace(const Scan& scan, const Parameters& parameters, const SurfacePoints& points,
+              const FaceTruth& truth, FaceScore& score) {
+  const Prepared prepared = prepare(scan, *scan.volume, parameters);
+  const FaceInput input{points, &prepared.smoothed.lowPassed, prepared.smoothed.levels.between(kFluidShare),
+                        prepared.beam};
+  const FaceFit fit = fitFace(input);
+  score.confidence = double(fit.confidence);
+  if (fit.confidence <= 0) return;
+  const HeadPlaces& p = fit.places;
+  const FacePose found{{p.rightEye, p.leftEye, p.noseTip, p.mouthRight, p.mouthLeft}, fit.up, fit.front};
+  comparePose(found, truth.pose(), double(fit.confidence), score);
+}
+
 // FaceBench: judges one case after another.
 class FaceBench {
  public:
@@ -142,6 +161,7 @@ class FaceBench {
       const double seconds = double(std::clock() - cpu) / CLOCKS_PER_SEC, wall = timer.seconds();
       FaceScore score = scoreFace(*results.mesh, truth);
       score.cpuSeconds = seconds, score.wallSeconds = wall;
+      findFace(scan, parameters, *results.points, truth, score);
       if (!options_.pointsTo.empty()) writePoints(fs::path(options_.pointsTo) / file, *results.points);
       if (!options_.keepTo.empty()) writeMesh(fs::path(options_.keepTo) / file, *results.mesh);
       return score;

@@ -157,16 +157,16 @@ struct Mean {
 
 void scoreCoverage(const std::vector<Partner>& partners, const FaceTruth& truth, FaceScore& score) {
   Mean all;
-  std::array<Mean, 4> parts;
+  std::array<Mean, 5> parts;  // by BodyPart
   for (std::size_t i = 0; i < partners.size(); ++i) {
     const double found = partners[i].distance < kCovered ? 1 : 0;
-    const int label = truth.visible()[i].label;
     all.add(found);
-    if (label >= 0 && label < int(parts.size())) parts[std::size_t(label)].add(found);
+    parts[std::size_t(truth.visible()[i].part)].add(found);
   }
   score.covered = all.value();
-  score.coveredFace = parts[0].value(), score.coveredHead = parts[1].value();
-  score.coveredHand = parts[2].value(), score.coveredBody = parts[3].value();
+  const auto of = [&](BodyPart part) { return parts[std::size_t(part)].value(); };
+  score.coveredFace = of(BodyPart::face), score.coveredHead = of(BodyPart::head);
+  score.coveredHand = of(BodyPart::hand), score.coveredBody = of(BodyPart::body);
 }
 
 void scoreDetail(const std::vector<Partner>& partners, const FaceTruth& truth, FaceScore& score) {

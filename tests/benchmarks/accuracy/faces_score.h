@@ -29,7 +29,7 @@ namespace sonoskin::accuracy {
 //   eyes, nose, mouth, detail    mean angle in degrees between the normals of the truth and of the mesh's nearest place,
 //                     over the visible truth at each feature, and over all of them; places that the mesh misses by more
 //                     than 2 mm count as 90 degrees. A mesh that is turned inside out as a whole is turned back first.
-//   landmarks, pose   mean distance in mm of the five landmarks that the program found, and the angle in degrees by which
+//   landmarks, pose   mean distance in mm of the five landmarks that the program (fitFace) found, and the angle in degrees by which
 //                     the head that it found is turned from the true one (comparePose); landmarksMax: the worst of the
 //                     five. confidence: the program's own; misled: 1 if that is 0.5 or more and landmarks above 10 mm
 //   cpuSeconds, wallSeconds    of the whole pipeline, from a volume in memory; CPU: all threads

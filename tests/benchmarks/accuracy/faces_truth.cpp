@@ -1,8 +1,9 @@
 #include "tests/benchmarks/accuracy/faces_truth.h"
 
 #include <cmath>
+#include <memory>
 
-#include "core/phantom/fetal_face.h"
+#include "core/phantom/phantom_model.h"
 #include "tests/benchmarks/accuracy/skin_places.h"
 
 namespace sonoskin::accuracy {
@@ -16,10 +17,10 @@ T mix(const std::vector<T>& of, const Triangle& t, const glm::vec3& w) {
   return w.x * of[t[0]] + w.y * of[t[1]] + w.z * of[t[2]];
 }
 
-int labelAt(const Mesh& mesh, const Triangle& t, const glm::vec3& w) {
-  if (mesh.labels.empty()) return kNoLabel;
+BodyPart partAt(const Mesh& mesh, const Triangle& t, const glm::vec3& w) {
+  if (mesh.labels.empty()) return BodyPart::other;
   const int nearest = w.x >= w.y && w.x >= w.z ? 0 : (w.y >= w.z ? 1 : 2);
-  return mesh.labels[t[std::size_t(nearest)]];
+  return BodyPart(mesh.labels[t[std::size_t(nearest)]]);
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ void FaceTruth::spreadVisible() {
     const Triangle& t = skin_.triangles[all.places[i].triangle];
     const glm::vec3& w = all.places[i].weights;
     if (!skin_.visibility.empty() && mix(skin_.visibility, t, w) < kVisible) continue;
-    visible_.push_back({all.positions[i], all.normals[i], labelAt(skin_, t, w)});
+    visible_.push_back({all.positions[i], all.normals[i], partAt(skin_, t, w)});
   }
 }
 
@@ -61,14 +62,17 @@ bool FaceTruth::isOtherTissue(const glm::vec3& query) const {
   return anatomy_.other && anatomy_.other(glm::dvec3(query)) < kOther;
 }
 
-FaceAnatomy phantomAnatomy(const PhantomOptions&) {
-  const FacePlaces places = facePlaces();
+FaceAnatomy phantomAnatomy(const PhantomOptions& options) {
+  const auto model = std::make_shared<const PhantomModel>(options);
+  const FacePlaces places = model->facePlaces();
   const float apart = float(glm::distance(places.rightEye, places.leftEye));
   const FeaturePlaces features{
       {Feature{places.rightEye, 0.25f * apart}, Feature{places.leftEye, 0.25f * apart}},
       {places.noseTip, 0.3f * apart},
       {0.5 * (places.mouthRight + places.mouthLeft), 0.4f * apart}};
-  return {features, wallDistance};
+  const glm::mat3& toHead = model->head().worldToHead;  // its rows are the head's axes in the world
+  const FacePose pose{places, glm::transpose(toHead)[1], glm::transpose(toHead)[2]};
+  return {features, [model](const glm::dvec3& p) { return model->other(p); }, pose};
 }
 
 }  // namespace sonoskin::accuracy

@@ -6,6 +6,8 @@
 
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_tree.h"
+#include "core/phantom/body_part.h"
+#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom_options.h"
 
 namespace sonoskin::accuracy {
@@ -24,23 +26,30 @@ struct FeaturePlaces {
   Feature nose, mouth;
 };
 
+// FacePose: where a face is and how it is turned. World mm.
+//   up, front   unit, across each other: to the crown, and where the nose points
+struct FacePose {
+  FacePlaces places;
+  glm::dvec3 up{0, 1, 0}, front{0, 0, 1};
+};
+
 // FaceAnatomy: what is known of a simulated baby beside its skin.
 //   other   signed distance to tissue that is not the baby's, mm; empty where there is none
 struct FaceAnatomy {
   FeaturePlaces features;
   std::function<double(const glm::dvec3& world)> other;
+  FacePose pose{};
 };
 
 // phantomAnatomy: that of the phantom.
 FaceAnatomy phantomAnatomy(const PhantomOptions& options);
 
 // TruthPlace: one of many places spread evenly over the skin that the probe sees; each stands for the same area.
-//   label   BodyPart, or kNoLabel
+//   part   other where the truth has no labels
 struct TruthPlace {
   glm::vec3 position{0}, normal{0};
-  int label = -1;
+  BodyPart part = BodyPart::other;
 };
-inline constexpr int kNoLabel = -1;
 
 // FaceTruth: the skin of one simulated baby, ready to be compared with.
 class FaceTruth {
@@ -64,6 +73,7 @@ class FaceTruth {
 
   const Mesh& skin() const { return skin_; }
   const FeaturePlaces& features() const { return anatomy_.features; }
+  const FacePose& pose() const { return anatomy_.pose; }
   // isOtherTissue: whether tissue that is not the baby's is nearer than 2 mm.
   bool isOtherTissue(const glm::vec3& query) const;
   // visible: places 0.5 mm apart, of what the probe sees.

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom_geometry.h"
+#include "core/phantom/phantom_model.h"
 #include "core/phantom/sector_grid.h"
 
 namespace sonoskin::accuracy {
@@ -33,6 +33,7 @@ const std::vector<Level>& noiseLevels() {
 
 ContrastMeter::ContrastMeter(const PhantomOptions& options) {
   const Geometry g = phantomGeometry(options);
+  const PhantomModel model(options);
   const SectorGrid sector = phantomSector(g.spacing);
   std::vector<std::vector<std::size_t>> skin(std::size_t(g.dims.z)), fluid(std::size_t(g.dims.z));
   parallelFor(g.dims.z, [&](std::ptrdiff_t k) {
@@ -40,11 +41,11 @@ ContrastMeter::ContrastMeter(const PhantomOptions& options) {
       for (int i = (j + int(k)) % 4; i < g.dims.x; i += 4) {  // every fourth voxel is enough
         const glm::dvec3 p = g.toWorld({i, j, k});
         if (p.y > 45 || !sector.contains(glm::vec3(p), 4)) continue;
-        const double d = skinDistance(p);
+        const double d = model.skin(p);
         const glm::dvec3 beam = glm::normalize(p - glm::dvec3(sector.apex));
         if (std::abs(d + 0.45) < 0.45) {
-          if (skinDistance(p - 0.2 * beam) - d > 0.14) skin[std::size_t(k)].push_back(g.index(i, j, int(k)));
-        } else if (d > 3 && p.y < 35 && wallDistance(p) > 3) {
+          if (model.skin(p - 0.2 * beam) - d > 0.14) skin[std::size_t(k)].push_back(g.index(i, j, int(k)));
+        } else if (d > 3 && p.y < 35 && model.other(p) > 3) {
           fluid[std::size_t(k)].push_back(g.index(i, j, int(k)));
         }
       }

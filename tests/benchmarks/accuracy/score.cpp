@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/phantom/fetal_face.h"
 #include "tests/benchmarks/accuracy/point_tree.h"
 
 namespace sonoskin::accuracy {
@@ -30,10 +29,11 @@ double median(std::vector<double> values) {
 }
 
 // The medians of the signed distances to the skin, in units of `unit` mm, of the points near its visible part.
-double medianOffset(const SurfacePoints& points, const std::vector<char>& inRegion, const glm::dvec3& unit) {
+double medianOffset(const SurfacePoints& points, const Truth& truth, const std::vector<char>& inRegion,
+                    const glm::dvec3& unit) {
   std::vector<double> distance(points.size(), kFar), kept;
   forEachPoint(points.size(), [&](std::size_t p) {
-    if (inRegion[p]) distance[p] = signedDistance(skinDistance, glm::dvec3(points.positions[p]), unit);
+    if (inRegion[p]) distance[p] = truth.toSkin(glm::dvec3(points.positions[p]), unit);
   });
   for (const double d : distance)
     if (std::abs(d) < kFar) kept.push_back(d);
@@ -74,7 +74,7 @@ double residualOf(const std::vector<glm::vec3>& positions, const Truth& truth) {
   const std::vector<glm::vec3> indices = indicesOf(positions, truth.geometry());
   forEachPoint(positions.size(), [&](std::size_t p) {
     if (truth.nearVisible(indices[p], kRegion))
-      distance[p] = signedDistance(skinDistance, glm::dvec3(positions[p]), truth.geometry().spacing);
+      distance[p] = truth.toSkin(glm::dvec3(positions[p]), truth.geometry().spacing);
   });
   double squares = 0, matched = 0;
   for (const double d : distance)
@@ -90,8 +90,8 @@ Score scorePoints(const SurfacePoints& points, const Truth& truth) {
   const std::vector<glm::vec3> indices = indicesOf(points.positions, truth.geometry());
   std::vector<char> inRegion(points.size());
   forEachPoint(points.size(), [&](std::size_t p) { inRegion[p] = truth.nearVisible(indices[p], kRegion); });
-  score.offsetVoxels = medianOffset(points, inRegion, truth.geometry().spacing);
-  score.offsetMm = medianOffset(points, inRegion, glm::dvec3(1));
+  score.offsetVoxels = medianOffset(points, truth, inRegion, truth.geometry().spacing);
+  score.offsetMm = medianOffset(points, truth, inRegion, glm::dvec3(1));
   std::vector<glm::vec3> debiased = points.positions;
   for (std::size_t p = 0; p < points.size(); ++p) debiased[p] -= float(score.offsetMm) * points.normals[p];
   const FoundAt raw = countFound(points.positions, truth), moved = countFound(debiased, truth);
