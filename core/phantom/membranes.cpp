@@ -20,8 +20,9 @@ std::optional<vec3> wallFrom(const vec3& start, const vec3& toward, const WorldD
     const vec3 p = start + toward * t;
     const float d = wall(p);
     if (d < 0.05f) return p + toward * kRoot;
-    if (t > 2 * kLeave && skin(p) < 0.5f) return {};
-    t += std::max(0.3f, 0.7f * d);
+    const float toSkin = skin(p);
+    if (t > 2 * kLeave && toSkin < 0.5f) return {};
+    t += std::max(0.3f, 0.7f * std::min(d, toSkin));
   }
   return {};
 }

@@ -18,8 +18,8 @@ constexpr float kClutterOverNoise = 22;  // dB; relative to the echoes around, a
 
 // noiseLevels: a poor signal comes with poor contrast (thick belly, little fluid), so both follow `snr`.
 NoiseLevels noiseLevels(double snr, const SceneAcoustics& acoustics) {
-  const float receiver = kSoftTissue - float(snr);
-  return {receiver, receiver + kClutterOverNoise + acoustics.clutter, acoustics.clutterReach};
+  const float noise = kSoftTissue - float(snr);
+  return {noise + acoustics.receiver, noise + kClutterOverNoise + acoustics.clutter, acoustics.clutterReach};
 }
 
 void quantise(Volume<float>& volume) {

@@ -14,6 +14,8 @@ Geometry phantomGeometry(const PhantomOptions& options) {
           "phantom.dims is {} x {} x {} voxels: each must lie between 16 and 1024", i, j, k);
   require(options.snr >= 0 && options.snr <= 60, "phantom.snr is {} dB: it must lie between 0 and 60",
           options.snr);
+  require(options.shape >= 0 && options.shape <= 1000000,
+          "phantom.shape is {}: it must lie between 0 and 1000000", options.shape);
   require(options.seed >= 0 && options.seed <= 1000000,
           "phantom.seed is {}: it must lie between 0 and 1000000", options.seed);
   Geometry geometry;

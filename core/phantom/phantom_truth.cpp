@@ -73,8 +73,12 @@ class Truth {
   bool seen(const glm::vec3& p, const glm::vec3& normal) const {
     if (boxDistance(p) > -double(kBorder) || !sector_.contains(p, kBorder)) return false;
     if (glm::dot(normal, glm::normalize(sector_.apex - p)) <= kFacing) return false;
-    if (model_.touches() && model_.other(glm::dvec3(p + kClear * normal)) < 0) return false;
+    if (model_.touches() && isCovered(p, normal)) return false;
     return lossBefore(sector_, sight_, p) < kShadow;
+  }
+
+  bool isCovered(const glm::vec3& p, const glm::vec3& normal) const {
+    return model_.other(glm::dvec3(p)) < 0 || model_.other(glm::dvec3(p + kClear * normal)) < 0;
   }
 
   const SectorGrid& sector_;

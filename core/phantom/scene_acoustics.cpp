@@ -28,6 +28,7 @@ SceneAcoustics enhanced() {
   SceneAcoustics a;
   a.display.smoothing = 0.5f;
   a.display.threshold = 0.26f, a.display.ceiling = 0.7f;
+  a.receiver = -3;  // these scanners average pictures
   return a;
 }
 
@@ -39,6 +40,7 @@ SceneAcoustics clinical() {
   a.reflection.lossBaby = 0.6f;
   a.reflection.tissue = 7;
   a.display = {-20, 32, 0.45f, 0.25f, 0.8f};
+  a.receiver = -6;
   a.planes = kPlanes;
   a.elevationAngle = 0.40f;
   return a;

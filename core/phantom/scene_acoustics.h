@@ -35,6 +35,7 @@ struct SceneAcoustics {
   ReflectionOptions reflection{};
   HazeOptions haze{};
   DisplayOptions display{};
+  float receiver = 0;        // dB on the receiver's noise that `snr` brings
   float clutter = 0;         // dB on the clutter that `snr` brings
   float clutterReach = 1;    // times 1.2 mm by 3 by 3 degrees
   float planes = 0;          // rad between planes in elevation; 0: as fine as the voxels show
