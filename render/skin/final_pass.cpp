@@ -28,6 +28,13 @@ int finalVariant(SkinPass pass) {
   }
 }
 
+// What the inner sides of an open surface show: dark flesh in even light, whatever reaches the other side.
+glm::vec3 insideColour(const LightRig& lights) {
+  glm::vec3 reaching = 0.282095f * lights.environment[0];
+  for (const SkinLight& light : lights.lights) reaching += 0.12f * light.colour;
+  return glm::vec3(0.20f, 0.095f, 0.07f) * reaching;
+}
+
 // ShownMap: a map and how map.frag turns it into colours.
 struct ShownMap {
   const gl::Texture* texture = nullptr;
@@ -172,6 +179,7 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
   p.set("mixBefore", float(input.look.skin.mix));
   p.set("exposure", input.look.lights.exposure);
   p.set("firstWeight", light.firstWeight());
+  p.set("insideColour", insideColour(input.look.lights));
   light.lightMaps().setLights(p, input.look.lights);
   setScreen(p, input.camera, float(size.x) / float(size.y), projection);
   gl::drawFullScreen();

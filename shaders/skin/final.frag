@@ -19,10 +19,11 @@ uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
 uniform float mixBefore, exposure;
 uniform vec3 firstWeight;      // of the narrowest Gaussian
+uniform vec3 insideColour;     // of the inner sides of an open surface: nothing was measured there
 
 layout(location = 0) out vec4 colour;
 
-vec3 shade(vec3 p, vec3 smoothNormal, vec2 place) {
+vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   vec4 spread = textureLod(diffusedMap, place, 0.0), visibility = textureLod(visibilityMap, place, 0.0);
   vec3 albedo = max(textureLod(albedoMap, place, 0.0).rgb, vec3(0.02));
   vec4 finish = textureLod(finishMap, place, 0.0);
@@ -75,13 +76,7 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place) {
 #else
   vec3 sum = diffuse + mirrored;
 #endif
-  return sum;
-}
-
-// The inner side of an open surface: nothing was measured there. Dark flesh in even light, whatever the other side gets.
-vec3 shadeInside(vec3 p, vec3 n) {
-  vec3 reaching = irradianceAround(n) + 0.12 * (lights[0].colour + lights[1].colour + lights[2].colour);
-  return vec3(0.20, 0.095, 0.07) * reaching * (0.6 + 0.4 * max(dot(n, normalize(eye - p)), 0.0));
+  return inner ? insideColour * (0.55 + 0.45 * facing) : sum;
 }
 
 void main() {
@@ -90,8 +85,7 @@ void main() {
   if (depth == 1.0) discard;  // the background is there already
   vec4 surface = texelFetch(surfaceMap, texel, 0);
   vec3 p = eye + distanceOf(depth) * rayAt(uv);
-  vec3 n = normalize(surface.xyz);
-  vec3 shown = toneMap(exposure * (surface.w < 0.0 ? shadeInside(p, n) : shade(p, n, texelFetch(placeMap, texel, 0).rg)));
+  vec3 shown = toneMap(exposure * shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0));
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else
