@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/face/face_fit.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
 #include "core/surface/edge_placement.h"
@@ -42,6 +43,7 @@ struct Results {
   EdgeProfile edge;                                 // across the surface, where the points were moved onto it
   std::size_t centres = 0;                          // of the fitted function
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
+  std::shared_ptr<const FaceFit> face;  // where the face is, with its confidence; empty if not looked for
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
   std::shared_ptr<const Mesh> mesh;                 // the chosen piece, cleaned as the parameters say
