@@ -292,7 +292,7 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   if (goal == Goal::classified) return results;
   const Key points = stages_->findPoints(way, start, classified);
   if (goal == Goal::points) return results;
-  stages_->findFace(way, *start.prepared, points);
+  if (goal == Goal::mesh) stages_->findFace(way, *start.prepared, points);
   // Shares of the progress: a solid takes most of the time where one is made.
   const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
   const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;

@@ -41,9 +41,9 @@ struct Results {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
   EdgeProfile edge;                                 // across the surface, where the points were moved onto it
+  std::shared_ptr<const FaceFit> face;              // where the face is; for Goal::mesh, if face.find
   std::size_t centres = 0;                          // of the fitted function
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
-  std::shared_ptr<const FaceFit> face;  // where the face is, with its confidence; empty if not looked for
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
   std::shared_ptr<const Mesh> mesh;                 // the chosen piece, cleaned as the parameters say
