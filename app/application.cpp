@@ -94,11 +94,12 @@ void Application::updateDocument() {
   }
   if (session.results().points.get() != shownPoints_) {
     shownPoints_ = session.results().points.get();
-    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookFromProbe();
+    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtStart();
   }
   if (session.reconstructions() != reconstructions_) {
     reconstructions_ = session.reconstructions();
     workspace_.view.content = SpaceContent::mesh;
+    if (!workspace_.view.cameraMoved) workspace_.lookAtStart();
   }
   const std::string title = session.hasScan() ? session.name() + " - Sonoskin" : "Sonoskin";
   if (title != title_) window_.setTitle(title_ = title);

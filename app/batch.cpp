@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/face_view.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
@@ -75,6 +76,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.globalError = results.globalError;
   run.report.globalErrorWithWeights = results.globalErrorWithWeights;
   run.report.pieces = results.pieces->size();
+  run.report.face = reportFace(results.face.get(), run.parameters.face);
   return results;
 }
 
@@ -93,20 +95,34 @@ void drawSkin(BatchRun& run, gl::Context& context, const Results& results, const
               const Progress& progress) {
   const bool bakes = run.options.bake != Bake::none;
   const SkinPictureOptions look{.quality = run.options.skinQuality};
-  writePng(run.file("skin.png"), pictureOfSkin(context, results.mesh, run.parameters, look, frame,
-                                               progress.part(0, bakes ? 0.5 : 1)));
+  Parameters parameters = run.parameters;  // the recipe keeps what was given by hand
+  parameters.landmarks = landmarksWithFace(run.parameters, results.face.get());
+  writePng(run.file("skin.png"),
+           pictureOfSkin(context, results.mesh, parameters, look, frame, progress.part(0, bakes ? 0.5 : 1)));
   if (!bakes) return;
   const BakeOptions bake{run.options.skinQuality, run.options.bake == Bake::light};
-  run.baked = bakeSkin(context, results.mesh, run.parameters, bake, frame, progress.part(0.5, 1));
+  run.baked = bakeSkin(context, results.mesh, parameters, bake, frame, progress.part(0.5, 1));
+}
+
+// Before the face, upright, where one was found; else from the probe.
+PictureOptions frameOf(const BatchRun& run, const Scan& scan, const Results& results) {
+  const FaceFit* face = run.report.face.used ? results.face.get() : nullptr;
+  PictureOptions frame;
+  frame.size = run.options.pictureSize;
+  frame.beam = beamOf(scan, run.parameters.scan);
+  if (run.options.turnsFormat && isTall(results.mesh->positions, face, frame.beam))
+    frame.size = {frame.size.y, frame.size.x};
+  frame.camera = "face";
+  frame.face =
+      cameraOnFace(results.mesh->positions, face, frame.beam, float(frame.size.x) / float(frame.size.y));
+  return frame;
 }
 
 void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
   run.stage("pictures", [&] {
     const auto context = gl::makeOffscreenContext(run.options.backend);
     run.report.gl = gl::glInfo();
-    PictureOptions frame;
-    frame.size = run.options.pictureSize;
-    frame.beam = beamOf(scan, run.parameters.scan);
+    const PictureOptions frame = frameOf(run, scan, results);
     const Progress progress = run.progress.part(kChecked, kDrawn);
     drawSkin(run, *context, results, frame, progress.part(0, 0.4));
     VolumePictureOptions look;
@@ -120,7 +136,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     progress.update(0.8);
     const SlicesInput slices{scan.volume, results.classified, results.thinned, middleOf(*results.mesh),
                              region};
-    writePng(run.file("slices.png"), pictureOfSlices(*context, slices, frame.size));
+    writePng(run.file("slices.png"), pictureOfSlices(*context, slices, run.options.pictureSize));
     return 4 * 4 * std::size_t(frame.size.x) * std::size_t(frame.size.y);
   });
 }

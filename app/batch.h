@@ -28,6 +28,7 @@ struct BatchOptions {
   std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf
   bool keepClassified = false, keepThinned = false, keepPoints = false;
   glm::ivec2 pictureSize{1280, 960};
+  bool turnsFormat = true;  // pictures of what is taller than wide are upright, of the same size
   Bake bake = Bake::none;
   SkinQuality skinQuality = pictureQuality();
   gl::Backend backend = gl::Backend::egl;

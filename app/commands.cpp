@@ -28,7 +28,7 @@ void toggleMaximised(W& w, Pane pane) {
 
 void showAll(W& w) {
   resetView(w.view, w.session.scan(), w.session.beam());
-  w.lookFromProbe();
+  w.lookAtStart();
 }
 
 void resetParameters(W& w) {
@@ -111,7 +111,7 @@ const Command kCommands[] = {
    [](const W& w) { return w.session.canRedo(); }},
   {"edit.reset", "All parameters to their defaults", Menu::edit, {}, resetParameters, nullptr, nullptr, true},
 
-  {"view.resetCamera", "Look from the probe", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookFromProbe(); }, hasScan},
+  {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtStart(); }, hasScan},
   {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
   {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
    [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},

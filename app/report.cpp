@@ -44,6 +44,7 @@ std::string reportJson(const Report& report) {
   json["global_error"] = report.globalError;
   if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
   json["pieces"] = report.pieces;
+  if (report.face.fit) json["face"] = nlohmann::ordered_json::parse(faceJson(report.face));
   json["triangles"] = report.mesh.triangles;
   json["area_mm2"] = report.mesh.area;
   json["mesh"] = nlohmann::ordered_json::parse(factsJson(report.mesh));
@@ -68,6 +69,8 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
     text += fmt::format(
         "the skin's edge rises from grey {:.2f} to {:.2f} within {:.1f} mm (20 to 80 %); iso-value {:.2f}\n",
         report.edge.dark, report.edge.bright, report.edge.width, report.isoValue);
+  for (const std::string& sentence : {report.face.text, report.face.warning})
+    if (!sentence.empty()) text += sentence + "\n";
   for (const StageReport& stage : report.stages) {
     text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
                         double(stage.bytes) * 1e-6);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/face_report.h"
 #include "core/mesh/mesh_facts.h"
 #include "core/pipeline/pipeline.h"
 
@@ -26,6 +27,7 @@ struct Report {
   double globalError = 0;          // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;
   EdgeProfile edge;            // across the surface; all zero if the points were not moved onto it
+  FaceReport face;
   double seconds = 0;          // wall time of everything
   std::size_t peakMemory = 0;  // bytes
   int threads = 0;

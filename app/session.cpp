@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/parameters_key.h"
+#include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
 
 namespace sonoskin {
@@ -147,6 +148,10 @@ void Session::cancel() {
 }
 
 // A coarse result holds only the classification; what it lacks stays as it was.
+const FaceFit* Session::face() const {
+  return isCertain(results_.face.get(), parameters_.face) ? results_.face.get() : nullptr;
+}
+
 void Session::takeResults() {
   std::optional<Results> fresh = runner_.takeResults();
   if (!fresh) return;
@@ -155,7 +160,11 @@ void Session::takeResults() {
     meshKey_ = requestKey_;
     meshIsFinal_ = fresh->isFinal;
     meshArea_ = surfaceArea(*fresh->mesh);
-    if (request_ == Goal::mesh) ++reconstructions_;
+    if (request_ == Goal::mesh) {
+      ++reconstructions_;
+      const std::string warning = scaleWarning(fresh->face.get(), parameters_.face);
+      if (!warning.empty()) report(Message::Kind::note, warning);
+    }
   } else {
     fresh->mesh = results_.mesh;
     fresh->pieces = results_.pieces;
@@ -163,6 +172,7 @@ void Session::takeResults() {
   }
   if (!fresh->thinned) fresh->thinned = results_.thinned;
   if (!fresh->points) fresh->points = results_.points;
+  if (!fresh->face) fresh->face = results_.face;  // sliders do not move it
   results_ = std::move(*fresh);
   ++revision_;
 }

@@ -73,6 +73,8 @@ class Session {
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
+  // face: where the face is, if it is certain; else null.
+  const FaceFit* face() const;
   // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
   bool meshIsFinal() const { return meshIsFinal_; }
   // Whether the mesh, once there is one, is made again when parameters change.

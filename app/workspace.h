@@ -22,7 +22,8 @@ struct Workspace {
     session.openFile(file);
   }
 
-  void lookFromProbe() { resetCamera(view, session.beam(), surroundings(session.scan(), session.results())); }
+  // lookAtStart: at the face where it is known, else from the probe.
+  void lookAtStart();
 
   Session session;
   ViewState view;

@@ -67,8 +67,13 @@ void applyChange(std::string_view word, Camera& camera) {
 }
 
 // presetCamera: the camera of a preset's name; nothing where the word is none.
-bool presetCamera(std::string_view word, const Beam& beam, const Box& box, float aspect, Camera& camera) {
-  if (word == "probe") {
+bool presetCamera(std::string_view word, const Beam& beam, const Box& box, float aspect, const Camera* face,
+                  Camera& camera) {
+  if (word == "face" && face) {
+    camera = *face;
+    return true;
+  }
+  if (word == "probe" || word == "face") {
     camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, aspect);
     return true;
   }
@@ -132,13 +137,37 @@ Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, 
   return camera;
 }
 
-Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect) {
+// Each point asks of the distance D: |x - t| <= (D + depth) tan, with t where the picture's middle is.
+Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const glm::vec3> points,
+                 float aspect) {
+  constexpr float kMargin = 1.04f;
+  Camera camera;
+  camera.forward = glm::normalize(forward);
+  const glm::vec3 right = glm::normalize(glm::cross(camera.forward, up));
+  camera.up = glm::cross(right, camera.forward);
+  const float high = std::tan(0.5f * glm::radians(camera.fieldOfView)) / kMargin, wide = aspect * high;
+  glm::vec4 most(-1e30f);  // to the right, left, top, bottom
+  glm::vec3 middle(0);
+  for (const glm::vec3& p : points) middle += p / float(points.size());
+  for (const glm::vec3& p : points) {
+    const glm::vec3 q = p - middle;
+    const float x = glm::dot(q, right) / wide, y = glm::dot(q, camera.up) / high;
+    most = glm::max(most, glm::vec4(x, -x, y, -y) - glm::dot(q, camera.forward));
+  }
+  camera.target =
+      middle + 0.5f * (most.x - most.y) * wide * right + 0.5f * (most.z - most.w) * high * camera.up;
+  camera.distance = std::max(0.5f * std::max(most.x + most.y, most.z + most.w), 1e-3f);
+  return camera;
+}
+
+Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect,
+                   const Camera* face) {
   Camera camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, aspect);
   bool first = true;
   while (!text.empty()) {
     const auto word = text.substr(0, text.find(','));
     text.remove_prefix(std::min(text.size(), word.size() + 1));
-    if (!(first && presetCamera(word, beam, box, aspect, camera))) applyChange(word, camera);
+    if (!(first && presetCamera(word, beam, box, aspect, face, camera))) applyChange(word, camera);
     first = false;
   }
   return camera;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string_view>
 
 #include "core/mesh/mesh.h"
@@ -40,15 +41,24 @@ struct Camera {
 //   aspect  width / height of the picture
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect);
 
+// lookAtAll: the nearest camera that sees all points, with a small margin.
+//   up       any vector that is not parallel to forward
+//   points   world mm; not empty
+//   aspect   width / height of the picture
+Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const glm::vec3> points,
+                 float aspect);
+
 // parseCamera: a camera that sees the whole box, from words.
 //   text    comma-separated: one of the presets, or nothing (probe), then changes to it
 //           probe      along the middle beam, with the beam's upward direction
 //           front, back, left, right, top, bottom   of the patient (LPS)
 //           portrait   y up, seen from +z, as modelling programs have it
+//           face       `face`; as probe where there is none
 //           azimuth=   degrees to the camera's right        elevation=  degrees upward
 //           roll=      degrees clockwise                    zoom=       factor
 //   errors  Error (usage): an unknown word, not a number, zoom <= 0
-Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect);
+Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect,
+                   const Camera* face = nullptr);
 
 // worldBox: the axis-aligned box around a volume, from the outer voxels' centres.
 Box worldBox(const Geometry& geometry);

@@ -46,7 +46,8 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
   context.makeCurrent();
   GpuMesh gpuMesh;
   gpuMesh.set(std::move(mesh));
-  const Camera camera = parseCamera(options.camera, options.beam, gpuMesh.box(), aspectOf(options.size));
+  const Camera camera =
+      parseCamera(options.camera, options.beam, gpuMesh.box(), aspectOf(options.size), options.faceCamera());
   const gl::Framebuffer picture({.size = options.size});
   MeshView view;
   view.draw({.mesh = gpuMesh,
@@ -72,7 +73,8 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
   GpuVolume gpuVolume;
   gpuVolume.set(volume);
   const Box framed = look.crop ? worldBox(volume->geometry) : gpuVolume.contentBox(look.iso);
-  const Camera camera = parseCamera(options.camera, options.beam, framed, aspectOf(options.size));
+  const Camera camera =
+      parseCamera(options.camera, options.beam, framed, aspectOf(options.size), options.faceCamera());
   const gl::Framebuffer picture({.size = options.size});
   Raycaster raycaster;
   raycaster.draw({.volume = gpuVolume,

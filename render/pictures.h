@@ -21,6 +21,9 @@ struct PictureOptions {
   std::string camera = "probe";    // see parseCamera
   std::string light = "portrait";  // see parseLighting
   Beam beam{};                     // what "probe" means
+  std::optional<Camera> face{};    // what "face" means
+
+  const Camera* faceCamera() const { return face ? &*face : nullptr; }
 };
 
 // checkPictureSize: refuses pictures of fewer than 16 or more than 8192 pixels a side.

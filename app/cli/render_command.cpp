@@ -10,11 +10,13 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/skin_options.h"
+#include "app/face_view.h"
 #include "app/input.h"
 #include "core/base/error.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
+#include "core/pipeline/face_use.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
 #include "render/skin/baked_maps.h"
@@ -93,7 +95,14 @@ Made showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context&
     return {pictureOfVolume(context, withinRegion(scan.volume, region), look, o.picture)};
   }
   const Results results = compute(Goal::mesh);
-  if (o.view != "slices") return showMesh(o, parameters, context, results.mesh, console);
+  if (o.view != "slices") {
+    const FaceFit* face = isCertain(results.face.get(), parameters.face) ? results.face.get() : nullptr;
+    const float aspect = float(o.picture.size.x) / float(o.picture.size.y);
+    o.picture.face = cameraOnFace(results.mesh->positions, face, o.picture.beam, aspect);
+    Parameters found = parameters;
+    found.landmarks = landmarksWithFace(parameters, face);
+    return showMesh(o, found, context, results.mesh, console);
+  }
   console.beginStage("picture");
   return {pictureOfSlices(context,
                           {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region},
@@ -155,9 +164,10 @@ Command addRenderCommand(CLI::App& program, Console& console) {
       "--whole", options->whole,
       "for volume: the whole region; by default only the box around the surface that was found");
   command
-      ->add_option("--camera", options->picture.camera,
-                   "probe, front, back, left, right, top, bottom or portrait, and changes to it: azimuth=, "
-                   "elevation=, roll= (degrees), zoom=; with commas [default probe]")
+      ->add_option(
+          "--camera", options->picture.camera,
+          "probe, face, front, back, left, right, top, bottom or portrait, and changes to it: azimuth=, "
+          "elevation=, roll= (degrees), zoom=; with commas [default probe]")
       ->type_name("WORDS");
   command
       ->add_option(

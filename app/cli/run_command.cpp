@@ -60,7 +60,10 @@ Command addRunCommand(CLI::App& program, Console& console) {
   console.addThreads(*command);
   console.addJson(*command);
   options->parameters.addTo(*command);
-  return {command, [options, &console] { run(*options, console); }};
+  return {command, [options, &console, command] {
+            options->batch.turnsFormat = command->count("--size") == 0;
+            run(*options, console);
+          }};
 }
 
 }  // namespace sonoskin

@@ -7,6 +7,7 @@
 #include "app/panels/parameter_rows.h"
 #include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "core/pipeline/face_use.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -38,6 +39,16 @@ void drawEchoOffset(const Results& results) {
                         results.edge.shift + results.edge.depth);
 }
 
+// What was found, in a sentence.
+void drawFace(const Workspace& workspace) {
+  const std::string text =
+      faceText(workspace.session.results().face.get(), workspace.session.parameters().face);
+  if (text.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextDisabled("%s", sentence(text).c_str());
+  ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void drawMorePanel(Workspace& workspace) {
@@ -51,6 +62,7 @@ void drawMorePanel(Workspace& workspace) {
         const Rows rows{{}, false, useOf(parameters, group.name)};
         edit |= drawGroup(group, options, rows, [&] {
           if (group.name == "surface") drawEchoOffset(workspace.session.results());
+          if (group.name == "face") drawFace(workspace);
           if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
         });
       },

@@ -13,6 +13,7 @@
 #include "app/views/skin_scene.h"
 #include "app/widgets/widget_rects.h"
 #include "core/mesh/ray_hit.h"
+#include "core/pipeline/face_use.h"
 #include "core/skin/scatter_profile.h"
 
 namespace sonoskin::ui {
@@ -108,7 +109,8 @@ void drawDivider(const Workspace& workspace, const PaneInput& pane, bool near) {
 }
 
 void drawLandmarks(const Workspace& workspace, const PaneInput& pane) {
-  const LandmarkOptions& landmarks = workspace.session.parameters().landmarks;
+  const LandmarkOptions landmarks =
+      landmarksWithFace(workspace.session.parameters(), workspace.session.results().face.get());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float u = unit();
   for (const NamedLandmark& landmark : kLandmarks) {

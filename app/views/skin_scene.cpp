@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/pipeline/face_use.h"
 #include "core/pipeline/parameter_key.h"
 #include "render/skin/baked_maps.h"
 
@@ -23,7 +24,7 @@ SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& 
 
 SkinSettings presentSettings(const Workspace& w) {
   const Parameters& p = w.session.parameters();
-  return {p.skin, p.light, p.landmarks};
+  return {p.skin, p.light, landmarksWithFace(p, w.session.results().face.get())};
 }
 
 void addSettings(Hasher& hasher, const SkinSettings& settings) {

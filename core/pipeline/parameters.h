@@ -4,6 +4,7 @@
 
 #include "core/classification/classification_options.h"
 #include "core/enhancement/enhancement_options.h"
+#include "core/face/face_options.h"
 #include "core/mesh/mesh_options.h"
 #include "core/mesh/print_options.h"
 #include "core/phantom/phantom_options.h"
@@ -33,6 +34,7 @@ struct Parameters {
   SkinOptions skin;
   LightOptions light;
   LandmarkOptions landmarks;
+  FaceOptions face;
 };
 
 // Group: the heading of one algorithm's parameters.
@@ -58,6 +60,7 @@ void groups(F&& f, P& p) {
   f(Group{"skin", "what the skin is made of; changes the pictures alone"}, p.skin);
   f(Group{"light", "the lights on the skin; changes the pictures alone"}, p.light);
   f(Group{"landmarks", "places of the face, for the colour of lips, lids and cheeks"}, p.landmarks);
+  f(Group{"face", "where the face is"}, p.face);
 }
 
 // forEachField: calls f(Group, Field, member&, Range...) for every parameter.

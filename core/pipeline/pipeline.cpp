@@ -16,6 +16,7 @@
 #include "core/rbf/fitted_surface.h"
 #include "core/rbf/iso_surface.h"
 #include "core/surface/find_surface.h"
+#include "core/surface/first_hit.h"
 #include "core/volume/resample.h"
 
 namespace sonoskin {
@@ -38,6 +39,7 @@ struct Points {
 std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size() * (sizeof(float) + 3); }
 std::size_t bytesOf(const Volume<float>& v) { return v.data.size() * sizeof(float); }
 std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points->size() * 28; }
+std::size_t bytesOf(const FaceFit&) { return sizeof(FaceFit); }
 std::size_t bytesOf(const FittedSurface& f) { return f.bytes; }
 std::size_t bytesOf(const Mesh& m) { return m.positions.size() * 24 + m.triangles.size() * sizeof(Triangle); }
 std::size_t bytesOf(const std::vector<Mesh>& pieces) {
@@ -150,6 +152,7 @@ struct Pipeline::Stages {
   Stage<Prepared> prepared{1};
   Stage<Volume<float>> classified{3};
   Stage<Points> points{3};
+  Stage<FaceFit> face{3};
   Stage<FittedSurface> fitted{3};
   Stage<std::vector<Mesh>> pieces{3};
   Stage<Mesh> piece{3}, mesh{3}, print{1};
@@ -161,6 +164,7 @@ struct Pipeline::Stages {
   Start start(const Way& way);
   Key classify(const Way& way, const Start& start, Goal goal);
   Key findPoints(const Way& way, const Start& start, const Key& classified);
+  void findFace(const Way& way, const Prepared& prepared, const Key& points);
   Key findPieces(const Way& way, const Key& points, double until);
   void finishMesh(const Way& way, const Prepared& prepared, const Key& pieces, double pieceUntil,
                   double cleanUntil);
@@ -221,6 +225,18 @@ Key Pipeline::Stages::findPoints(const Way& way, const Start& start, const Key& 
   return key;
 }
 
+void Pipeline::Stages::findFace(const Way& way, const Prepared& from, const Key& pointsKey) {
+  const FaceOptions& options = way.parameters.face;
+  if (!options.find) return;
+  // Whether a face is used is no part of what was found.
+  const Key key = Hasher("face 1").add(pointsKey).add(options.headHeight).key();
+  way.results.face = way.run.stage("face", 0.65, face, key, [&](const Progress& p) {
+    const Volume<float>& lowPassed = from.smoothed.lowPassed;
+    const float dark = findFluidLevels(lowPassed, from.view, way.results.isoValue).dark;
+    return fitFace({*way.results.points, &lowPassed, dark, from.beam}, options, p);
+  });
+}
+
 // The fit, and all pieces of its surface.
 Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double until) {
   require(way.results.points->size() > 0,
@@ -276,6 +292,7 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   if (goal == Goal::classified) return results;
   const Key points = stages_->findPoints(way, start, classified);
   if (goal == Goal::points) return results;
+  if (goal == Goal::mesh) stages_->findFace(way, *start.prepared, points);
   // Shares of the progress: a solid takes most of the time where one is made.
   const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
   const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;

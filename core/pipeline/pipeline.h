@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/face/face_fit.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
 #include "core/surface/edge_placement.h"
@@ -40,6 +41,7 @@ struct Results {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
   EdgeProfile edge;                                 // across the surface, where the points were moved onto it
+  std::shared_ptr<const FaceFit> face;              // where the face is; for Goal::mesh, if face.find
   std::size_t centres = 0;                          // of the fitted function
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted

@@ -43,8 +43,9 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   checkPictureSize(options.size);
   const Box box = boundingBox(mesh->positions);
   const float aspect = float(options.size.x) / float(options.size.y);
-  const Camera camera = parseCamera(options.camera, options.beam, box, aspect);
-  const HomeFrame home = homeFrame(parseCamera(presetOf(options.camera), options.beam, box, aspect));
+  const Camera camera = parseCamera(options.camera, options.beam, box, aspect, options.faceCamera());
+  const HomeFrame home =
+      homeFrame(parseCamera(presetOf(options.camera), options.beam, box, aspect, options.faceCamera()));
   const SkinLook skin{parameters.skin, parameters.landmarks,
                       makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
   const auto surface =

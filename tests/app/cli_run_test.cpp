@@ -47,6 +47,7 @@ TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
     EXPECT_GE(stage["seconds"].get<double>(), 0);
     EXPECT_TRUE(stage["bytes"].is_number_unsigned());
   }
+  EXPECT_GE(report["face"]["confidence"].get<double>(), 0);
   const Image picture = readPng(folder / "a/b/skin.png");
   EXPECT_EQ(picture.width, 160);
   EXPECT_EQ(picture.height, 120);

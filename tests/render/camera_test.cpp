@@ -88,6 +88,34 @@ TEST(Camera, PanMovesThePictureByThatManyPixels) {
   EXPECT_NEAR(ndc.y * 200, -20, 0.01);
 }
 
+TEST(Camera, LookAtAllSeesEveryPointAndComesAsNearAsItCan) {
+  const std::vector<glm::vec3> points{{3, -2, 1}, {40, 8, -3}, {12, 30, 9}, {-7, 4, -20}, {11, 12, 25}};
+  for (const float aspect : {0.3f, 1.f, 1.6f}) {
+    const Camera camera = lookAtAll({0.3f, 1, -0.2f}, {1, 0.2f, 0.3f}, points, aspect);
+    const Box box = boundingBox(points);
+    float widest = 0, least = 1, most = -1;
+    for (const glm::vec3& p : points) {
+      const glm::vec4 clip = camera.projection(aspect, box) * camera.view() * glm::vec4(p, 1);
+      const glm::vec2 at = glm::vec2(clip) / clip.w;
+      widest = std::max({widest, std::abs(at.x), std::abs(at.y)});
+      least = std::min(least, at.x);
+      most = std::max(most, at.x);
+    }
+    EXPECT_LT(widest, 0.99f);
+    EXPECT_GT(widest, 0.93f);
+    if (aspect < 0.5f) {
+      EXPECT_NEAR(least, -most, 0.01f) << "in the middle";
+    }
+  }
+}
+
+TEST(Camera, FaceIsTheOneThatIsGivenOrTheProbes) {
+  Camera face = parseCamera("left", Beam{}, kBox, 1);
+  expectNear(parseCamera("face", Beam{}, kBox, 1, &face).forward, face.forward);
+  expectNear(parseCamera("face", Beam{}, kBox, 1).forward, parseCamera("probe", Beam{}, kBox, 1).forward);
+  EXPECT_LT(parseCamera("face,zoom=2", Beam{}, kBox, 1, &face).distance, face.distance);
+}
+
 TEST(Camera, RefusesWhatItDoesNotKnow) {
   for (const char* text :
        {"sideways", "azimuth", "azimuth=", "azimuth=3x", "zoom=0", "zoom=-1", "front,back"})

@@ -1,0 +1,16 @@
+#include "app/workspace.h"
+
+#include "app/face_view.h"
+
+namespace sonoskin {
+
+void Workspace::lookAtStart() {
+  const Results& results = session.results();
+  const Beam beam = session.beam();
+  resetCamera(view, beam, surroundings(session.scan(), results));
+  constexpr float kAspect = 1.2f;  // as resetCamera has it
+  if (const FaceFit* face = session.face(); face && results.mesh && !results.mesh->positions.empty())
+    view.camera = cameraOnFace(results.mesh->positions, face, beam, kAspect);
+}
+
+}  // namespace sonoskin
