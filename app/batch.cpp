@@ -75,6 +75,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.globalError = results.globalError;
   run.report.globalErrorWithWeights = results.globalErrorWithWeights;
   run.report.pieces = results.pieces->size();
+  run.report.parts = reportParts(results);
   return results;
 }
 
