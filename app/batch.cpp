@@ -77,6 +77,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.globalErrorWithWeights = results.globalErrorWithWeights;
   run.report.pieces = results.pieces->size();
   run.report.face = reportFace(results.face.get(), run.parameters.face);
+  run.report.parts = reportParts(results);
   return results;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -31,6 +32,16 @@ std::string textOf(const std::array<T, 3>& v) {
   return fmt::format("{}{}{}{}{}", v[0], s, v[1], s, v[2]);
 }
 
+std::string textOf(const Places& places) {
+  if (places.empty()) return "none";
+  std::string text;
+  for (const auto& place : places) {
+    if (!text.empty()) text += ';';
+    text += textOf(place);
+  }
+  return text;
+}
+
 // What a value looks like.
 std::string kindOf(bool) { return "on|off"; }
 std::string kindOf(int) { return "INTEGER"; }
@@ -41,6 +52,7 @@ std::string kindOf(E value) {
 }
 std::string kindOf(const std::array<int, 3>&) { return "NxNxN"; }
 std::string kindOf(const std::array<double, 3>&) { return "X,Y,Z"; }
+std::string kindOf(const Places&) { return "X,Y,Z;..."; }
 
 // parse: the value of a text, or nothing where the text is not of the member's kind.
 template <class T>
@@ -79,6 +91,21 @@ std::optional<std::array<T, 3>> parse(std::string_view text, const std::array<T,
   return values;
 }
 
+// Places with semicolons between them, or "none".
+std::optional<Places> parse(std::string_view text, const Places&) {
+  Places places;
+  if (text == "none") return places;
+  if (text.empty() || text.back() == ';') return std::nullopt;
+  while (!text.empty()) {
+    const std::size_t cut = std::min(text.find(';'), text.size());
+    const auto place = parse(text.substr(0, cut), std::array<double, 3>{});
+    if (!place) return std::nullopt;
+    places.push_back(*place);
+    text.remove_prefix(std::min(cut + 1, text.size()));
+  }
+  return places;
+}
+
 template <class T>
 bool within(T value, const Range<T>& range) {
   return value >= range.min && value <= range.max;
@@ -88,11 +115,16 @@ bool within(const std::array<T, 3>& values, const Range<T>& range) {
   return within(values[0], range) && within(values[1], range) && within(values[2], range);
 }
 
+bool within(const Places& places, const Range<double>& range) {
+  return std::all_of(places.begin(), places.end(), [&](const auto& place) { return within(place, range); });
+}
+
 template <class T>
 void assign(std::string_view name, std::string_view text, T& member) {
   const auto value = parse(text, member);
   if (!value) {
-    throw Error(fmt::format("--{} {}: expected {}, such as {}", name, text, kindOf(member), textOf(member)),
+    const std::string example = textOf(member) == "none" ? "12,-3.5,40;8,0,61" : textOf(member);
+    throw Error(fmt::format("--{} {}: expected {}, such as {}", name, text, kindOf(member), example),
                 Error::Kind::usage);
   }
   member = *value;

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/mesh_text.h"
@@ -20,7 +22,41 @@ std::string printText(const MeshFacts& print) {
                         : fmt::format("not clean, {} pairs of triangles cross", print.selfIntersections));
 }
 
+std::array<double, 3> rounded(const glm::vec3& place) {
+  std::array<double, 3> result{};
+  for (int i = 0; i < 3; ++i) result[std::size_t(i)] = std::round(double(place[i]) * 100) / 100;
+  return result;
+}
+
+nlohmann::ordered_json partsJson(const std::vector<ReportedPart>& parts) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ReportedPart& part : parts)
+    list.push_back({{"area_mm2", part.area},
+                    {"centre_mm", part.centre},
+                    {"place_mm", part.place},
+                    {"kept", part.kept},
+                    {"why", part.why}});
+  return list;
+}
+
+std::string partsText(const std::vector<ReportedPart>& parts) {
+  const auto kept = std::count_if(parts.begin(), parts.end(), [](const ReportedPart& p) { return p.kept; });
+  return fmt::format("{} of {} parts of the surface are kept\n", kept, parts.size());
+}
+
 }  // namespace
+
+std::vector<ReportedPart> reportParts(const Results& results) {
+  std::vector<ReportedPart> list;
+  if (!results.parts || !results.verdicts) return list;
+  for (std::size_t p = 0; p < results.verdicts->size(); ++p) {
+    const Part& part = results.parts->parts.parts[p];
+    const PartVerdict& verdict = (*results.verdicts)[p];
+    list.push_back({std::round(part.area * 10) / 10, rounded(part.centre), rounded(part.place), verdict.kept,
+                    enumNames(verdict.reason)[std::size_t(verdict.reason)]});
+  }
+  return list;
+}
 
 std::string reportJson(const Report& report) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
@@ -45,6 +81,7 @@ std::string reportJson(const Report& report) {
   if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
   json["pieces"] = report.pieces;
   if (report.face.fit) json["face"] = nlohmann::ordered_json::parse(faceJson(report.face));
+  json["parts"] = partsJson(report.parts);
   json["triangles"] = report.mesh.triangles;
   json["area_mm2"] = report.mesh.area;
   json["mesh"] = nlohmann::ordered_json::parse(factsJson(report.mesh));
@@ -64,6 +101,7 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
   text += fmt::format("{} points, {} centres, {} pieces; the mesh has {} triangles and {:.1f} cm2\n",
                       report.points, report.centres, report.pieces, report.mesh.triangles,
                       report.mesh.area / 100);
+  if (!report.parts.empty()) text += partsText(report.parts);
   if (report.print) text += printText(*report.print);
   if (report.edge.width > 0)
     text += fmt::format(

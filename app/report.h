@@ -12,6 +12,14 @@
 
 namespace sonoskin {
 
+// ReportedPart: a part of the surface. Its place names it for mesh.partsAdd and mesh.partsDrop.
+struct ReportedPart {
+  double area = 0;                          // mm²
+  std::array<double, 3> centre{}, place{};  // mm; the place lies on the part
+  bool kept = false;
+  std::string why;  // a word
+};
+
 // Report: what a run did and what it cost. Holds nothing that identifies a patient or a person's folders.
 struct Report {
   std::string input;  // file name without folders, or "phantom"
@@ -22,6 +30,7 @@ struct Report {
   std::size_t erasedVoxels = 0;  // of the file of --erase
   std::vector<StageReport> stages;
   std::size_t points = 0, centres = 0, pieces = 0;
+  std::vector<ReportedPart> parts;  // largest first; none where whole pieces are chosen
   MeshFacts mesh;
   std::optional<MeshFacts> print;  // where there is a solid
   double globalError = 0;          // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
@@ -34,6 +43,9 @@ struct Report {
   std::string gl;  // renderer and version of OpenGL
   std::vector<std::string> files;
 };
+
+// reportParts: the parts of a surface, and which of them are in the mesh.
+std::vector<ReportedPart> reportParts(const Results& results);
 
 // reportJson: one JSON object, indented.
 std::string reportJson(const Report& report);

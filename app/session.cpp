@@ -168,6 +168,8 @@ void Session::takeResults() {
   } else {
     fresh->mesh = results_.mesh;
     fresh->pieces = results_.pieces;
+    fresh->parts = results_.parts;
+    fresh->verdicts = results_.verdicts;
     fresh->centres = results_.centres;
   }
   if (!fresh->thinned) fresh->thinned = results_.thinned;

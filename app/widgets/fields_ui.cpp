@@ -214,6 +214,22 @@ FieldsEdit editChoice(const FieldRow& row, int& value, int standard, std::span<c
   return edit;
 }
 
+FieldsEdit editField(const FieldRow& row, Places& value, const Places& standard, Range<double>) {
+  label(row);
+  FieldsEdit edit;
+  const std::string text = value.empty()       ? "none"
+                           : value.size() == 1 ? "1 place"
+                                               : fmt::format("{} places", value.size());
+  ImGui::BeginDisabled(value.empty());
+  if (ImGui::Button((text + (value.empty() ? "" : ": forget") + "###forget").c_str(), ImVec2(-1, 0))) {
+    value.clear();
+    edit = {true, true};
+  }
+  ImGui::EndDisabled();
+  edit |= finish(row, value, standard, "Default none");
+  return edit;
+}
+
 FieldsEdit editField(const FieldRow& row, std::array<int, 3>& value, const std::array<int, 3>& standard,
                      Range<int> range) {
   label(row);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/fields.h"
+#include "core/base/places.h"
 
 namespace sonoskin::ui {
 
@@ -48,6 +49,8 @@ FieldsEdit editField(const FieldRow& row, std::array<int, 3>& value, const std::
                      Range<int> range);
 FieldsEdit editField(const FieldRow& row, std::array<double, 3>& value, const std::array<double, 3>& standard,
                      Range<double> range);
+// Places are made elsewhere: the row tells how many there are, and a button forgets them.
+FieldsEdit editField(const FieldRow& row, Places& value, const Places& standard, Range<double> range);
 FieldsEdit editChoice(const FieldRow& row, int& value, int standard, std::span<const char* const> names);
 
 template <NamedEnum E>

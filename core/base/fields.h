@@ -14,7 +14,7 @@ namespace sonoskin {
 //     f(Field{"alpha", "weight of the iso-value term", "", "α"}, o.alpha, Range{0.0, 1.0});
 //
 // A visitor f is called once per member with (Field, member&, Range); for bool and enum members without
-// a Range. Members are int, double, bool, std::array<int or double, 3>, or an enum with
+// a Range. Members are int, double, bool, std::array<int or double, 3>, Places, or an enum with
 // enumNames(). From that one list come sliders, command-line options, the recipe, the cache key and the
 // documentation.
 

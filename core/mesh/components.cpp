@@ -1,12 +1,12 @@
 #include "core/mesh/components.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/base/error.h"
 #include "core/mesh/closest_point.h"
+#include "core/mesh/view_shares.h"
 
 namespace sonoskin {
 namespace {
@@ -137,105 +137,11 @@ std::size_t pieceNearest(const std::vector<Mesh>& pieces, const glm::vec3& point
   return nearest;
 }
 
-namespace {
-
-// Where a point lies among the beams: across them, relative to the middle beam, and along them.
-struct BeamPlace {
-  glm::dvec2 across{0};  // radians around an apex (equidistant from the middle beam), mm for parallel beams
-  double depth = 0;      // mm
-};
-
-class BeamFrame {
- public:
-  BeamFrame(const Beam& beam, const glm::dvec3& middle)
-      : apex_(beam.apex), origin_(beam.apex.value_or(middle)), forward_(beam.directionAt(middle)) {
-    const glm::dvec3 helper = std::abs(forward_.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    right_ = glm::normalize(glm::cross(forward_, helper));
-    up_ = glm::cross(right_, forward_);
-  }
-  BeamPlace place(const glm::vec3& world) const {
-    const glm::dvec3 d = glm::dvec3(world) - origin_;
-    const glm::dvec2 lateral(glm::dot(d, right_), glm::dot(d, up_));
-    if (!apex_) return {lateral, glm::dot(d, forward_)};
-    const double off = glm::length(lateral);
-    const double angle = std::atan2(off, glm::dot(d, forward_));
-    return {off > 0 ? lateral * (angle / off) : lateral, glm::length(d)};
-  }
-
- private:
-  std::optional<glm::dvec3> apex_;
-  glm::dvec3 origin_, forward_, right_, up_;
-};
-
-// For each of a square of beams the piece that it meets first.
-class FirstHits {
- public:
-  static constexpr int kBeams = 256;
-
-  explicit FirstHits(double halfExtent)
-      : scale_(kBeams / (2 * halfExtent)),
-        piece_(std::size_t(kBeams) * kBeams, kNone),
-        depth_(std::size_t(kBeams) * kBeams, std::numeric_limits<double>::infinity()) {}
-
-  // Fills the beams that a triangle crosses, by samples half a beam apart.
-  void draw(std::uint32_t piece, const BeamPlace& a, const BeamPlace& b, const BeamPlace& c) {
-    const double edge = std::max({glm::distance(a.across, b.across), glm::distance(b.across, c.across),
-                                  glm::distance(c.across, a.across)});
-    const int steps = std::clamp(int(std::ceil(2 * edge * scale_)), 1, 2 * kBeams);
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; i + j <= steps; ++j) {
-        const double u = double(i) / steps, v = double(j) / steps, w = 1 - u - v;
-        plot(piece, w * a.across + u * b.across + v * c.across, w * a.depth + u * b.depth + v * c.depth);
-      }
-  }
-
-  // Adds to each piece's score the weights of the beams that it is the first on.
-  void addScores(std::vector<double>& scores) const {
-    constexpr double kWidth = 0.35;
-    for (int y = 0; y < kBeams; ++y)
-      for (int x = 0; x < kBeams; ++x) {
-        const std::uint32_t piece = piece_[std::size_t(y) * kBeams + std::size_t(x)];
-        if (piece == kNone) continue;
-        const glm::dvec2 off = (glm::dvec2(x, y) + 0.5) * (2.0 / kBeams) - 1.0;
-        scores[piece] += std::exp(-glm::dot(off, off) / (2 * kWidth * kWidth));
-      }
-  }
-
- private:
-  void plot(std::uint32_t piece, const glm::dvec2& across, double depth) {
-    const glm::ivec2 beam = glm::clamp(glm::ivec2(glm::floor(across * scale_)) + kBeams / 2, 0, kBeams - 1);
-    const std::size_t i = std::size_t(beam.y) * kBeams + std::size_t(beam.x);
-    if (depth >= depth_[i]) return;
-    depth_[i] = depth;
-    piece_[i] = piece;
-  }
-
-  double scale_;  // beams per unit across
-  std::vector<std::uint32_t> piece_;
-  std::vector<double> depth_;
-};
-
-}  // namespace
-
 std::vector<double> viewShares(const std::vector<Mesh>& pieces, const Beam& beam, const glm::dvec3& middle) {
-  const BeamFrame frame(beam, middle);
-  std::vector<std::vector<BeamPlace>> places(pieces.size());
-  double halfExtent = 1e-9;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (const glm::vec3& x : pieces[p].positions) {
-      const BeamPlace place = frame.place(x);
-      halfExtent = std::max({halfExtent, std::abs(place.across.x), std::abs(place.across.y)});
-      places[p].push_back(place);
-    }
-  FirstHits hits(halfExtent);
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (const Triangle& t : pieces[p].triangles)
-      hits.draw(std::uint32_t(p), places[p][t[0]], places[p][t[1]], places[p][t[2]]);
-  std::vector<double> scores(pieces.size(), 0);
-  hits.addScores(scores);
-  const double best = pieces.empty() ? 0 : *std::max_element(scores.begin(), scores.end());
-  for (double& score : scores) score = best > 0 ? score / best : 1;
-  return scores;
+  std::vector<std::uint32_t> pieceOf;
+  for (std::uint32_t p = 0; p < pieces.size(); ++p)
+    pieceOf.insert(pieceOf.end(), pieces[p].triangles.size(), p);
+  return viewShares(joinPieces(pieces), pieceOf, pieces.size(), beam, middle).centred;
 }
 
 }  // namespace sonoskin

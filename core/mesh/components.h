@@ -23,13 +23,7 @@ Mesh joinPieces(const std::vector<Mesh>& pieces);
 //   errors   Error: there is no piece
 std::size_t pieceNearest(const std::vector<Mesh>& pieces, const glm::vec3& point);
 
-// viewShares: how much of the probe's view each piece fills, as a share of what the best piece fills.
-//   middle   a point on the middle beam, such as the centre of the volume, mm
-//   method   depth buffer of 256 x 256 beams: by angle around an apex, by place for parallel beams. Each beam gives
-//            the piece that it meets first the weight exp(-ρ²/(2 · 0.35²)), ρ: distance from the middle beam in
-//            halves of the larger extent of all pieces. So a face wins against a larger wall behind or beside it,
-//            against what lies inside it, and against specks in front.
-//   output   0 to 1, one per piece; the best has 1
+// viewShares: how much of the probe's view each piece fills, as a share of what the best piece fills; see view_shares.h.
 std::vector<double> viewShares(const std::vector<Mesh>& pieces, const Beam& beam, const glm::dvec3& middle);
 
 }  // namespace sonoskin

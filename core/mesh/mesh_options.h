@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/fields.h"
+#include "core/base/places.h"
 
 namespace sonoskin {
 
@@ -11,6 +12,10 @@ enum class PieceChoice { probe, largest, index, point, all };
 constexpr std::array<const char*, 5> enumNames(PieceChoice) {
   return {"probe", "largest", "index", "point", "all"};
 }
+
+// PartsChoice: whether the surface is cut into parts, of which those of the baby are kept.
+enum class PartsChoice { automatic, pieces, all };
+constexpr std::array<const char*, 3> enumNames(PartsChoice) { return {"automatic", "pieces", "all"}; }
 
 // MeshOptions: from the implicit function to the mesh.
 struct MeshOptions {
@@ -21,14 +26,21 @@ struct MeshOptions {
   double density = 0.4;
   double narrowest = 6;
   PieceChoice piece = PieceChoice::probe;
-  double companions = 0.15;
+  double companions = 0.08;
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
   double minArea = 0;
   double fillHoles = 20;
   int smoothing = 0;
   int triangles = 0;
+  PartsChoice parts = PartsChoice::automatic;
+  Places partsAdd, partsDrop, partsCut;
 };
+
+// cutsParts: whether the options ask for parts: all of them, or those of the piece in the probe's view.
+inline bool cutsParts(const MeshOptions& o) {
+  return o.parts == PartsChoice::all || (o.parts == PartsChoice::automatic && o.piece == PieceChoice::probe);
+}
 
 template <class F, class O>
 requires OptionsOf<O, MeshOptions>
@@ -51,7 +63,8 @@ void fields(F&& f, O& o) {
   f(Field{"piece", "probe: the piece most in the probe's view; largest: by area; index, point: see below"},
     o.piece);
   f(Field{"companions",
-          "for piece = probe: pieces that fill this share of its view are kept too; 1 keeps it alone"},
+          "for piece = probe: parts or pieces that fill this share of the middle of its view are kept too; 1 "
+          "keeps it alone"},
     o.companions, Range{0.0, 1.0});
   f(Field{"pieceIndex", "for piece = index: 0 is the piece with the largest area, 1 the next, ..."},
     o.pieceIndex, Range{0, 1000000});
@@ -65,6 +78,20 @@ void fields(F&& f, O& o) {
     Range{0, 200});
   f(Field{"triangles", "reduce the mesh to this many triangles; 0: all are kept", "triangles"}, o.triangles,
     Range{0, 100000000});
+  f(Field{"parts",
+          "automatic: the surface is cut where people would cut it, and the face and what belongs to the "
+          "baby are "
+          "kept, if piece = probe; pieces: whole connected pieces; all: every part is kept"},
+    o.parts);
+  f(Field{"partsAdd", "parts that are kept too: those nearest to these places", "mm"}, o.partsAdd,
+    Range{-1e5, 1e5});
+  f(Field{"partsDrop", "parts that are taken away: those nearest to these places", "mm"}, o.partsDrop,
+    Range{-1e5, 1e5});
+  f(Field{"partsCut",
+          "strokes that split a part, three places each: begin and end on the surface, and the eye that drew "
+          "it",
+          "mm"},
+    o.partsCut, Range{-1e5, 1e5});
 }
 
 }  // namespace sonoskin

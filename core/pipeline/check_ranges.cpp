@@ -26,11 +26,21 @@ struct RangeVisitor {
     for (const T value : values) check(group, field, value, range);
   }
   template <class T>
+  void operator()(const Group& group, const Field& field, const Places& places, const Range<T>& range) const {
+    for (const auto& place : places) (*this)(group, field, place, range);
+  }
+  template <class T>
   void operator()(const Group&, const Field&, const T&) const {}  // flags and choices have no range
 };
 
 }  // namespace
 
-void checkRanges(const Parameters& parameters) { forEachField(RangeVisitor{}, parameters); }
+void checkRanges(const Parameters& parameters) {
+  forEachField(RangeVisitor{}, parameters);
+  if (parameters.mesh.partsCut.size() % 3 != 0)
+    throw Error(fmt::format("mesh.partsCut has {} places: a stroke has three, its begin, its end and the eye",
+                            parameters.mesh.partsCut.size()),
+                Error::Kind::usage);
+}
 
 }  // namespace sonoskin

@@ -80,6 +80,8 @@ std::string_view meshUse(const Parameters& p, std::string_view field) {
   if (field == "resolution" && p.mesh.cell > 0) return "The size of a cell is given in mm";
   if (field == "companions" && p.mesh.piece != PieceChoice::probe)
     return "Only used beside the piece in the probe's view";
+  if (!cutsParts(p.mesh) && (field == "partsAdd" || field == "partsDrop" || field == "partsCut"))
+    return "Whole pieces are chosen";
   if (field == "pieceIndex" && p.mesh.piece != PieceChoice::index)
     return "Only used if the piece is chosen by its index";
   if (field == "piecePoint" && p.mesh.piece != PieceChoice::point)

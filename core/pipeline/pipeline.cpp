@@ -10,6 +10,7 @@
 #include "core/mesh/print_solid.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/choose_piece.h"
+#include "core/pipeline/kept_parts.h"
 #include "core/pipeline/prepared.h"
 #include "core/pipeline/stage.h"
 #include "core/pipeline/stage_keys.h"
@@ -42,6 +43,11 @@ std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points-
 std::size_t bytesOf(const FaceFit&) { return sizeof(FaceFit); }
 std::size_t bytesOf(const FittedSurface& f) { return f.bytes; }
 std::size_t bytesOf(const Mesh& m) { return m.positions.size() * 24 + m.triangles.size() * sizeof(Triangle); }
+std::size_t bytesOf(const KeptParts& k) { return bytesOf(k.mesh) + k.verdicts.size() * sizeof(PartVerdict); }
+std::size_t bytesOf(const PartedSurface& s) {
+  return bytesOf(s.mesh) + 2 * s.parts.ofTriangle.size() * sizeof(std::uint32_t) +
+         s.parts.graph.size() * 10 * sizeof(float);
+}
 std::size_t bytesOf(const std::vector<Mesh>& pieces) {
   std::size_t bytes = 0;
   for (const Mesh& m : pieces) bytes += bytesOf(m);
@@ -155,7 +161,9 @@ struct Pipeline::Stages {
   Stage<FaceFit> face{3};
   Stage<FittedSurface> fitted{3};
   Stage<std::vector<Mesh>> pieces{3};
-  Stage<Mesh> piece{3}, mesh{3}, print{1};
+  Stage<PartedSurface> parts{2};
+  Stage<KeptParts> piece{3};
+  Stage<Mesh> mesh{3}, print{1};
   LiveMemory live;
   Stage<Volume<float>> liveClassified{3};
   CoarseLevel half, quarter;
@@ -166,8 +174,8 @@ struct Pipeline::Stages {
   Key findPoints(const Way& way, const Start& start, const Key& classified);
   void findFace(const Way& way, const Prepared& prepared, const Key& points);
   Key findPieces(const Way& way, const Key& points, double until);
-  void finishMesh(const Way& way, const Prepared& prepared, const Key& pieces, double pieceUntil,
-                  double cleanUntil);
+  Key choose(const Way& way, const Prepared& prepared, const Key& pieces, double until);
+  void finishMesh(const Way& way, const Key& chosen, double cleanUntil);
 };
 
 Input Pipeline::Stages::enhance(const Way& way) {
@@ -260,18 +268,36 @@ Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double un
   return key;
 }
 
-// The piece that was asked for, cleaned, and as a solid.
-void Pipeline::Stages::finishMesh(const Way& way, const Prepared& from, const Key& piecesKey,
-                                  double pieceUntil, double cleanUntil) {
+// The parts or pieces that were asked for.
+Key Pipeline::Stages::choose(const Way& way, const Prepared& from, const Key& piecesKey, double until) {
   const MeshOptions& options = way.parameters.mesh;
-  const Key pieceKey = pieceKeyOf(piecesKey, options), cleanKey = cleanKeyOf(pieceKey, options);
-  const auto chosen = way.run.stage("piece", pieceUntil, piece, pieceKey, [&](const Progress&) {
-    return choosePiece(*way.results.pieces, options, from.beam, centreOf(way.scan.volume->geometry));
+  const glm::dvec3 middle = centreOf(way.scan.volume->geometry);
+  const bool inParts = cutsParts(options);
+  const Key partsKey = partsKeyOf(piecesKey, options),
+            key = pieceKeyOf(inParts ? partsKey : piecesKey, options);
+  if (inParts)
+    way.results.parts = way.run.stage("parts", 0.99 * until, parts, partsKey, [&](const Progress& p) {
+      return partSurface(*way.results.pieces, options, p);
+    });
+  const auto chosen = way.run.stage("piece", until, piece, key, [&](const Progress& p) {
+    if (!inParts) return KeptParts{choosePiece(*way.results.pieces, options, from.beam, middle), {}};
+    return keepAsAsked(*way.results.parts, options, {from.beam, middle, options.companions}, p);
   });
-  way.results.mesh = chosen;
-  if (needsCleaning(options))
+  way.results.mesh = std::shared_ptr<const Mesh>(chosen, &chosen->mesh);
+  if (inParts)
+    way.results.verdicts = std::shared_ptr<const std::vector<PartVerdict>>(chosen, &chosen->verdicts);
+  return key;
+}
+
+// What was chosen, cleaned, and as a solid.
+void Pipeline::Stages::finishMesh(const Way& way, const Key& chosenKey, double cleanUntil) {
+  const MeshOptions& options = way.parameters.mesh;
+  const Key cleanKey = cleanKeyOf(chosenKey, options);
+  if (needsCleaning(options)) {
+    const auto chosen = way.results.mesh;
     way.results.mesh = way.run.stage("clean", cleanUntil, mesh, cleanKey,
                                      [&](const Progress& p) { return cleanMesh(*chosen, options, p); });
+  }
   if (way.parameters.print.form != PrintForm::none)
     way.results.print = way.run.stage(
         "print", 1, print, keyOf("print 1", cleanKey, way.parameters.print),
@@ -296,8 +322,8 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   // Shares of the progress: a solid takes most of the time where one is made.
   const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
   const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;
-  const Key pieces = stages_->findPieces(way, points, 0.98 * chosen);
-  stages_->finishMesh(way, *start.prepared, pieces, chosen, cleaned);
+  const Key pieces = stages_->findPieces(way, points, 0.95 * chosen);
+  stages_->finishMesh(way, stages_->choose(way, *start.prepared, pieces, chosen), cleaned);
   return results;
 }
 

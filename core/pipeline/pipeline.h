@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/face/face_fit.h"
 #include "core/mesh/mesh.h"
+#include "core/pipeline/kept_parts.h"
 #include "core/pipeline/parameters.h"
 #include "core/surface/edge_placement.h"
 #include "core/surface/surface_points.h"
@@ -46,9 +47,12 @@ struct Results {
   double globalError = 0;                           // of the fit, as a share of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;     // the same after the weights λ, if they were fitted
   std::shared_ptr<const std::vector<Mesh>> pieces;  // all pieces of the surface, largest area first
-  std::shared_ptr<const Mesh> mesh;                 // the chosen piece, cleaned as the parameters say
+  std::shared_ptr<const Mesh> mesh;                 // the chosen parts or pieces, cleaned as asked
   std::shared_ptr<const Mesh> print;                // a solid of it to print; empty if print.form is none
   std::vector<StageReport> stages;
+  std::shared_ptr<const PartedSurface>
+      parts{};  // the whole surface in parts; empty where whole pieces are chosen
+  std::shared_ptr<const std::vector<PartVerdict>> verdicts{};  // of the parts: which are in the mesh, and why
 };
 
 // Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier

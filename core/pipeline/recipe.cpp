@@ -53,6 +53,10 @@ void fromJson(const Json& json, const std::string& name, T& value) {
         return;
       }
     refuse(fmt::format("{} must be one of \"{}\"", name, fmt::join(names, "\", \"")));
+  } else if constexpr (std::is_same_v<T, Places>) {
+    if (!json.is_array()) refuse(fmt::format("{} must be a list of places, three numbers each", name));
+    value.assign(json.size(), {});
+    for (std::size_t i = 0; i < json.size(); ++i) fromJson(json[i], fmt::format("{}[{}]", name, i), value[i]);
   } else if constexpr (requires { value.size(); }) {
     using Element = typename T::value_type;
     if (!json.is_array() || json.size() != value.size())

@@ -9,10 +9,20 @@ Key preparedKey(const Key& input, const Parameters& p) {
   return hasher.key();
 }
 
+Key partsKeyOf(const Key& surface, const MeshOptions& mesh) {
+  Hasher hasher("parts 1");
+  hasher.add(surface);
+  addPlaces(hasher, mesh.partsCut);
+  return hasher.key();
+}
+
 Key pieceKeyOf(const Key& surface, const MeshOptions& mesh) {
-  Hasher hasher("piece 2");
+  Hasher hasher("piece 3");
   hasher.add(surface).add(mesh.piece).add(mesh.companions).add(mesh.pieceIndex);
-  return hasher.add(std::span<const double>(mesh.piecePoint)).key();
+  hasher.add(std::span<const double>(mesh.piecePoint)).add(mesh.parts);
+  addPlaces(hasher, mesh.partsAdd);
+  addPlaces(hasher, mesh.partsDrop);
+  return hasher.key();
 }
 
 Key cleanKeyOf(const Key& piece, const MeshOptions& mesh) {

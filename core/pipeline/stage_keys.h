@@ -20,6 +20,8 @@ Key preparedKey(const Key& input, const Parameters& p);
 // Only the options of the chosen method count.
 Key fitKeyOf(const Key& points, const Parameters& p);
 Key surfaceKeyOf(const Key& fit, const MeshOptions& mesh);
+Key partsKeyOf(const Key& surface, const MeshOptions& mesh);
+// Of what is chosen from pieces or from parts.
 Key pieceKeyOf(const Key& surface, const MeshOptions& mesh);
 Key cleanKeyOf(const Key& piece, const MeshOptions& mesh);
 

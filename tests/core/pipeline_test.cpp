@@ -73,7 +73,7 @@ TEST_F(PipelineTest, RepeatsOnlyWhatDependsOnAChange) {
   Parameters changed = parameters;
   changed.reconstruction.smoothness *= 2;
   const Results second = pipeline.run(scan, changed, Goal::mesh);
-  EXPECT_EQ(computed(second), (std::vector<std::string>{"fit", "surface", "piece"}));
+  EXPECT_EQ(computed(second), (std::vector<std::string>{"fit", "surface", "parts", "piece"}));
   EXPECT_EQ(second.points, first.points);
 
   const Results back = pipeline.run(scan, parameters, Goal::mesh);
@@ -85,7 +85,7 @@ TEST_F(PipelineTest, TheGlobalFunctionFindsTheSameFront) {
   const Results adaptive = pipeline.run(scan, parameters, Goal::mesh);
   parameters.reconstruction.method = ReconstructionMethod::global;
   const Results r = pipeline.run(scan, parameters, Goal::mesh);
-  EXPECT_EQ(computed(r), (std::vector<std::string>{"fit", "surface", "piece"}));
+  EXPECT_EQ(computed(r), (std::vector<std::string>{"fit", "surface", "parts", "piece"}));
   ASSERT_GT(r.mesh->triangles.size(), 1000u);
   for (const glm::vec3& p : r.mesh->positions)
     EXPECT_NEAR(glm::length(glm::dvec3(p) - kCentre), kRadius, 0.9);

@@ -30,12 +30,27 @@ TEST(Recipe, RoundTripIsIdentical) {
   parameters.mesh.piece = PieceChoice::point;
   parameters.mesh.piecePoint = {1.5, -2.25, 1e-3};
   parameters.reconstruction.fitWeights = true;
+  parameters.mesh.partsDrop = {{1, 2.5, -3}, {0, 0, 1e-3}};
   const std::string json = writeRecipe(parameters);
   Parameters read;
   readRecipe(json, read);
   EXPECT_EQ(writeRecipe(read), json);
   EXPECT_EQ(read.mesh.piece, PieceChoice::point);
   EXPECT_EQ(read.classification.alpha, 0.7000000000000001);
+  EXPECT_EQ(read.mesh.partsDrop, parameters.mesh.partsDrop);
+}
+
+TEST(Recipe, ReadsListsOfPlaces) {
+  Parameters parameters;
+  readRecipe(R"({"mesh": {"partsAdd": [[1, 2, 3]], "partsDrop": []}})", parameters);
+  EXPECT_EQ(parameters.mesh.partsAdd, (Places{{1, 2, 3}}));
+  readRecipe(R"({"mesh": {"partsAdd": [[4, 5, 6], [7, 8, 9]]}})", parameters);
+  EXPECT_EQ(parameters.mesh.partsAdd, (Places{{4, 5, 6}, {7, 8, 9}}));  // a list replaces the one before
+  for (const char* json :
+       {R"({"mesh": {"partsAdd": 1}})", R"({"mesh": {"partsAdd": [1, 2, 3]}})",
+        R"({"mesh": {"partsAdd": [[1, 2]]}})", R"({"mesh": {"partsAdd": [[1, 2, "3"]]}})",
+        R"({"mesh": {"partsAdd": [[1, 2, 1e9]]}})", R"({"mesh": {"partsCut": [[1, 2, 3]]}})"})
+    EXPECT_NE(complaint(json), "") << json;
 }
 
 TEST(Recipe, HoldsEveryField) {
@@ -107,6 +122,8 @@ TEST(ParameterKey, EveryFieldChangesIt) {
           member = T(int(member) + 1);
         } else if constexpr (std::is_arithmetic_v<T>) {
           member = T(member + T(1));
+        } else if constexpr (std::is_same_v<T, Places>) {
+          member.push_back({1, 2, 3});
         } else {
           member[2] += 1;
         }

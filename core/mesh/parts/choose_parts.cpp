@@ -1,0 +1,158 @@
+#include "core/mesh/parts/choose_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/point_grid.h"
+#include "core/mesh/view_shares.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr double kNear = 20, kTouching = 3;  // mm between parts
+constexpr double kSeen = 0.025,
+                 kSeenMiddle = 0.01;  // shares of the view, and of its middle, below which a part is hidden
+constexpr double kLeastArea = 40;     // mm²
+constexpr double kJoins = 0.8;        // border with what is kept, by the root of the part's area
+constexpr double kStrand = 1 / 5.5;   // 1/mm: curvature of strands 5.5 mm thick
+constexpr double kFlat = 1 / 250.0;   // 1/mm: below it a sheet is flat or hollow
+constexpr double kHead = 0.012, kLimb = 0.06;  // 1/mm: curvatures of heads lie between
+constexpr double kWallShare = 0.3;             // of the face's area, from which a sheet is a wall
+
+// How much a part bulges like a head: 0.3 to 1.
+double headLike(const Part& part) {
+  const double c = part.curvature;
+  const double like = c <= 0 ? 0 : c < kHead ? c / kHead : c > kLimb ? kLimb / c : 1;
+  return 0.3 + 0.7 * like;
+}
+
+// Neighbours: how near the parts are to those that are kept.
+class Neighbours {
+ public:
+  Neighbours(const SurfaceParts& parts)
+      : graph_(parts.graph),
+        part_(graph_.size(), 0),
+        patches_(parts.parts.size()),
+        grid_(graph_.patches.centre, 5) {
+    for (std::size_t t = parts.ofTriangle.size(); t-- > 0;)
+      part_[graph_.patches.ofTriangle[t]] = parts.ofTriangle[t];
+    for (std::uint32_t p = 0; p < graph_.size(); ++p) patches_[part_[p]].push_back(p);
+  }
+
+  const std::vector<std::uint32_t>& patches(std::size_t part) const { return patches_[part]; }
+
+  // The length of a part's border with those that are kept, mm.
+  double border(std::size_t part, const std::vector<PartVerdict>& verdicts) const {
+    double length = 0;
+    for (const std::uint32_t p : patches_[part])
+      for (std::uint32_t i = graph_.patches.start[p]; i < graph_.patches.start[p + 1]; ++i)
+        if (verdicts[part_[graph_.patches.neighbours[i]]].kept) length += double(graph_.border[i]);
+    return length;
+  }
+
+  // Whether a part comes nearer than `reach` mm to one that is kept.
+  bool isNear(std::size_t part, double reach, const std::vector<PartVerdict>& verdicts) const {
+    const float r = float(reach);
+    for (const std::uint32_t p : patches_[part]) {
+      const glm::vec3& from = graph_.patches.centre[p];
+      bool found = false;
+      grid_.forEachRun(from, r, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t s = first; s < last && !found; ++s) {
+          const std::uint32_t other = grid_.order()[s];
+          const glm::vec3 away = graph_.patches.centre[other] - from;
+          found = verdicts[part_[other]].kept && glm::dot(away, away) < r * r;
+        }
+      });
+      if (found) return true;
+    }
+    return false;
+  }
+
+ private:
+  const PartGraph& graph_;
+  std::vector<std::uint32_t> part_;  // per patch
+  std::vector<std::vector<std::uint32_t>> patches_;
+  PointGrid grid_;
+};
+
+// The part with most area around a face that was found.
+std::size_t partAt(const SurfaceParts& parts, const Neighbours& all, const FaceSite& face) {
+  std::size_t best = 0;
+  double most = -1;
+  for (std::size_t p = 0; p < parts.parts.size(); ++p) {
+    double area = 0;
+    for (const std::uint32_t patch : all.patches(p))
+      if (double(glm::distance(parts.graph.patches.centre[patch], face.centre)) < 0.7 * face.radius)
+        area += double(parts.graph.area[patch]);
+    if (area > most) most = area, best = p;
+  }
+  return best;
+}
+
+std::size_t findFace(const SurfaceParts& parts, const Neighbours& all, const std::vector<double>& shares,
+                     const PartView& view) {
+  if (view.face && view.face->confidence >= 0.5) return partAt(parts, all, *view.face);
+  std::size_t best = 0;
+  for (std::size_t p = 1; p < shares.size(); ++p)
+    if (shares[p] * headLike(parts.parts[p]) > shares[best] * headLike(parts.parts[best])) best = p;
+  return best;
+}
+
+double depthOf(const Part& part, const Beam& beam) {
+  const glm::dvec3 place(part.centre);
+  return beam.apex ? glm::distance(place, *beam.apex) : glm::dot(place, beam.axis);
+}
+
+// Whether a part is a flat or hollow sheet before the face.
+bool isWall(const Part& part, const Part& face, const Beam& beam) {
+  return part.curvature < kFlat && part.area > kWallShare * face.area &&
+         depthOf(part, beam) < depthOf(face, beam);
+}
+
+// Why a part stays or goes, beside what is kept so far.
+PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours& all, const Part& face,
+                     const PartView& view, const std::vector<PartVerdict>& verdicts) {
+  const Part& part = parts.parts[p];
+  const double share = verdicts[p].share;
+  if (verdicts[p].seen < kSeen && share < kSeenMiddle) return PartReason::hidden;
+  if (isWall(part, face, view.beam)) return PartReason::wall;
+  if (part.area < kLeastArea) return PartReason::debris;
+  if (!all.isNear(p, kNear, verdicts)) return PartReason::far;
+  if (share >= view.companions) return PartReason::beside;
+  if (view.companions >= 1) return PartReason::hidden;
+  if (part.curvature > kStrand) return PartReason::debris;
+  const bool joins = all.border(p, verdicts) > kJoins * std::sqrt(part.area) ||
+                     (all.border(p, verdicts) == 0 && all.isNear(p, kTouching, verdicts));
+  return joins ? PartReason::joins : PartReason::debris;
+}
+
+}  // namespace
+
+std::vector<PartVerdict> chooseParts(const Mesh& mesh, const SurfaceParts& parts, const PartView& view) {
+  std::vector<PartVerdict> verdicts(parts.parts.size());
+  if (verdicts.empty()) return verdicts;
+  const ViewShares shown = viewShares(mesh, parts.ofTriangle, parts.parts.size(), view.beam, view.middle);
+  const Neighbours all(parts);
+  const std::size_t face = findFace(parts, all, shown.centred, view);
+  for (std::size_t p = 0; p < verdicts.size(); ++p) {
+    verdicts[p].share = shown.centred[p] / std::max(shown.centred[face], 1e-9);
+    verdicts[p].seen = shown.seen[p] / std::max(shown.seen[face], 1e-9);
+  }
+  verdicts[face].kept = true;
+  verdicts[face].reason = PartReason::face;
+  // Each part that is kept may bring others near; the larger come first.
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t p = 0; p < verdicts.size(); ++p) {
+      if (verdicts[p].kept) continue;
+      const PartReason reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts);
+      verdicts[p].reason = reason;
+      verdicts[p].kept = reason == PartReason::beside || reason == PartReason::joins;
+      grown |= verdicts[p].kept;
+    }
+  }
+  return verdicts;
+}
+
+}  // namespace sonoskin
