@@ -60,8 +60,9 @@ void LightMaps::drawFacing(const GpuSkin& surface, const glm::mat4& view, unsign
 void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int size) {
   const SkinLight light = lights.light(i);
   Map& map = maps_[i];
-  for (gl::Framebuffer* f : {&map.target, &map.exits})
-    f->fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+  const bool comesThrough = light.shadows && i == 0;
+  map.target.fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+  map.exits.fit(comesThrough ? glm::ivec2(size) : glm::ivec2(1));
   if (!light.shadows) return;
   glm::mat4 view;
   float width = 1;
@@ -76,7 +77,7 @@ void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t
   map.texel = width / float(size);
   map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
   drawFacing(surface, view, GL_BACK, map.target);
-  drawFacing(surface, view, GL_FRONT, map.exits);
+  if (comesThrough) drawFacing(surface, view, GL_FRONT, map.exits);
 }
 
 void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
@@ -100,8 +101,10 @@ void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
 
 std::size_t LightMaps::bytes() const {
   std::size_t sum = 0;
-  for (const Map& map : maps_)
-    sum += std::size_t(map.target.size().x) * std::size_t(map.target.size().y) * 16;
+  const auto texels = [](const gl::Framebuffer& f) {
+    return std::size_t(f.size().x) * std::size_t(f.size().y);
+  };
+  for (const Map& map : maps_) sum += texels(map.target) * 12 + texels(map.exits) * 4;
   return sum;
 }
 

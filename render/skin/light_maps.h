@@ -11,7 +11,7 @@ namespace sonoskin {
 
 // LightMaps: what each shadowing light sees of the surface: depths, and where in the atlas it is. Triangles that face
 // away are left out: an open shell that is lit from behind would glow all over. Their depths, where light leaves the
-// body, are maps of their own.
+// body, are a map of its own for light 0, which alone comes through thin parts.
 //   a modified translucent shadow map                                   [GPU Gems 3, ch. 14.5.4; skin specification, section 6]
 class LightMaps {
  public:

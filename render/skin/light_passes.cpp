@@ -294,8 +294,8 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   }
   for (int i = 0; i < 3; ++i) {
     bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin(i));
-    bindTo(p, fmt::format("placeMaps[{}]", i), 13 + i, lightMaps_.place(std::size_t(i)));
   }
+  bindTo(p, "placeMap", 13, lightMaps_.place(0));
   lightMaps_.setLights(p, look_.lights);
   p.set("variances", glm::vec3(d.variances[3], d.variances[4], d.variances[5]));
   p.set("reach", float(SkinMaterial::kReach));

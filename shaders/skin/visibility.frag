@@ -1,4 +1,4 @@
-// How much of one light reaches every texel of the atlas, and how deep the skin is there as the light sees it.
+// How much of one light reaches every texel of the atlas, and of light 0, how deep the skin is there as it sees it.
 // Variants: LIGHT: its number; KIND, see lights.glsl; TAPS: looks into its depth map.  [skin specification, sections 7, 9.1]
 #include "common/noise.glsl"
 #include "skin/lights.glsl"
@@ -97,7 +97,7 @@ void main() {
     depth = exp(-kThickness * density * distance(p, lights[0].position));
   } else if (lights[LIGHT].shadows > 0.0) {
     seen = cosine <= 0.0 ? 0.0 : shadow(p, n, cosine);
-    depth = thickness(p, n, l);
+    if (LIGHT == 0) depth = thickness(p, n, l);
   }
   visibility = vec4(vec3(seen), open);
   thin = vec4(vec3(depth), 1.0);

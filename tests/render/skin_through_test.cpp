@@ -150,5 +150,26 @@ TEST_F(SkinThroughTest, AFoldDoesNotGlow) {
   EXPECT_LT(most(0.8f, 8), 0.15);
 }
 
+// The light at the back stands in every look: it does not come through what is thin, for scans leave bodies open there.
+TEST_F(SkinThroughTest, OnlyTheMovableLightComesThrough) {
+  const auto surface = prepareSkin(std::make_shared<const Mesh>(plates({{0, 4}}, 15)), {0, 0, 1}, quality());
+  gpu_.set(surface);
+  LightRig rig;
+  const SkinLight dark{.colour = glm::vec3(0), .shadows = false}, behind{.position = {0, 0, -1}};
+  for (const int number : {0, 2}) {
+    rig.lights.assign(3, dark);
+    rig.lights[std::size_t(number)] = behind;
+    view_.relight(gpu_, {plainSkin(1), {}, rig}, quality());
+    const auto values = gl::readFloats(view_.diffused(), 4);
+    double most = 0;
+    for (std::size_t t = 0; t < surface->maps.position.size(); ++t)
+      if (surface->maps.position[t].w > 0.9f && surface->maps.normal[t].z > 0.9f &&
+          glm::length(glm::vec2(surface->maps.position[t])) < 5)
+        most = std::max(most, double(values[4 * t]));
+    EXPECT_GT(most, number == 0 ? 0.2 : -1) << number;
+    EXPECT_LT(most, number == 0 ? 0.7 : 0.01) << number;
+  }
+}
+
 }  // namespace
 }  // namespace sonoskin
