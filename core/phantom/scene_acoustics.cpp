@@ -12,7 +12,7 @@ SceneAcoustics thick() {
   a.reflection.aside = 0.3f, a.reflection.facing = 0.7f;
   a.reflection.lossBaby = 0.8f, a.reflection.lossBone = 18;
   a.reflection.tissue = 8;
-  a.display.white = -22.5f, a.display.range = 24.5f;
+  a.display.white = -21.5f, a.display.range = 25;
   return a;
 }
 
@@ -35,11 +35,11 @@ SceneAcoustics enhanced() {
 // Thinner pulses and beams than `thick`: its own smoothing does the rest.
 SceneAcoustics clinical() {
   SceneAcoustics a = thick();
-  a.spread = {0.3f, 0.009f, 0.011f};
+  a.spread = {0.33f, 0.01f, 0.012f};
   a.reflection.layer = 0.3f;
   a.reflection.lossBaby = 0.6f;
   a.reflection.tissue = 7;
-  a.display = {-20, 32, 0.45f, 0.25f, 0.8f};
+  a.display = {-20, 32, 0.45f, 0.25f, 0.84f};
   a.receiver = -6;
   a.planes = kPlanes;
   a.elevationAngle = 0.40f;

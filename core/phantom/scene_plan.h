@@ -38,7 +38,7 @@ struct ScenePlan {
 // enhanced and planes are the same for all seeds.
 //   turned     yaw 25 to 60 degrees to either side, pitch -8 to 12, roll -22 to 22
 //   attached, cord, hands   yaw -12 to 12 degrees, pitch -5 to 7, roll -10 to 10
-//   clinical   yaw 8 to 35 degrees to either side, pitch -6 to 8, roll -15 to 15
+//   clinical   yaw 8 to 35 degrees to either side, pitch -8 to 12, roll -15 to 15
 //   hands      seed modulo 6: at the temple, before the chin, over an eye, both at the cheeks, both before the
 //              mouth, at the forehead; of the left or right side by chance
 ScenePlan planScene(const PhantomOptions& options);
