@@ -23,6 +23,10 @@ namespace {
 
 MeshOptions coarse(int resolution) {
   MeshOptions options;
+  options.maxGap = 4;
+  options.density = 0.5;
+  options.narrowest = 8;
+  options.fillHoles = 12;
   options.resolution = resolution;
   return options;
 }
