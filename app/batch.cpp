@@ -86,6 +86,7 @@ void checkMeshes(BatchRun& run, const Results& results) {
   run.stage("checks", [&] {
     const Progress progress = run.progress.part(kComputed, kChecked);
     run.report.mesh = measureMesh(*results.mesh, progress.part(0, 0.5));
+    run.report.measured = measureFilled(*results.mesh);
     if (results.print) run.report.print = measureMesh(*results.print, progress.part(0.5, 1));
     return std::size_t(0);
   });

@@ -128,6 +128,8 @@ const Command kCommands[] = {
   {"view.mesh", "3D: surface mesh", Menu::view, key(GLFW_KEY_M), [](W& w) { showMesh(w, MeshStyle::clay); },
    hasMesh, [](const W& w) { return w.view.content == SpaceContent::mesh && !showsSkin(w); }},
   {"view.skin", "3D: skin", Menu::view, key(GLFW_KEY_S), [](W& w) { showMesh(w, MeshStyle::skin); }, hasMesh, showsSkin},
+  {"view.unmeasured", "Mark what was not measured", Menu::view, {}, [](W& w) { w.view.unmeasured = !w.view.unmeasured; },
+   hasMesh, [](const W& w) { return w.view.unmeasured; }},
   {"view.lamp", "Lamp in the skin view", Menu::view, key(GLFW_KEY_K),
    [](W& w) { w.view.skin.lamp = !w.view.skin.lamp; }, showsSkin, [](const W& w) { return w.view.skin.lamp; }},
   {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },

@@ -84,6 +84,9 @@ std::string reportJson(const Report& report) {
   json["parts"] = partsJson(report.parts);
   json["triangles"] = report.mesh.triangles;
   json["area_mm2"] = report.mesh.area;
+  json["measured"] = {{"area_mm2", report.measured.measured},
+                      {"filled_mm2", report.measured.filled},
+                      {"holes_closed", report.measured.holes}};
   json["mesh"] = nlohmann::ordered_json::parse(factsJson(report.mesh));
   if (report.print) json["print"] = nlohmann::ordered_json::parse(factsJson(*report.print));
   json["seconds"] = report.seconds;

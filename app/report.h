@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/face_report.h"
+#include "core/mesh/measured_facts.h"
 #include "core/mesh/mesh_facts.h"
 #include "core/pipeline/pipeline.h"
 
@@ -32,10 +33,11 @@ struct Report {
   std::size_t points = 0, centres = 0, pieces = 0;
   std::vector<ReportedPart> parts;  // largest first; none where whole pieces are chosen
   MeshFacts mesh;
+  MeasuredFacts measured;
   std::optional<MeshFacts> print;  // where there is a solid
   double globalError = 0;          // of the fit, as a share of the diagonal of the points' box [thesis 3.22]
   std::optional<double> globalErrorWithWeights;
-  EdgeProfile edge;            // across the surface; all zero if the points were not moved onto it
+  EdgeProfile edge;  // across the surface; all zero if the points were not moved onto it
   FaceReport face;
   double seconds = 0;          // wall time of everything
   std::size_t peakMemory = 0;  // bytes

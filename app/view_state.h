@@ -84,6 +84,7 @@ struct ViewState {
   VolumeLayer volumeLayer = VolumeLayer::classified;
   bool crop = true;  // to the box around the surface points
   MeshStyle meshStyle = MeshStyle::skin;
+  bool unmeasured = false;  // marked on mesh and skin: what was filled in or lies at the border of the data
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;

@@ -13,6 +13,14 @@ std::vector<glm::vec3> normalsOf(const Mesh& mesh) {
   return copy.normals;
 }
 
+// How well each vertex is known; empty where the mesh does not say.
+std::vector<float> knownOf(const Mesh& mesh) {
+  if (mesh.visibility.empty()) return mesh.measured;
+  std::vector<float> known = mesh.visibility;
+  for (std::size_t v = 0; v < mesh.measured.size(); ++v) known[v] *= mesh.measured[v];
+  return known;
+}
+
 }  // namespace
 
 void GpuMesh::set(std::shared_ptr<const Mesh> mesh) {
@@ -29,9 +37,9 @@ void GpuMesh::set(std::shared_ptr<const Mesh> mesh) {
   vertexArray_.emplace();
   vertexArray_->attribute(0, 3, positions_);
   vertexArray_->attribute(1, 3, normals_);
-  if (!mesh_->visibility.empty()) {
-    visibility_ = gl::Buffer(std::span<const float>(mesh_->visibility));
-    vertexArray_->attribute(2, 1, visibility_);
+  if (const std::vector<float> known = knownOf(*mesh_); !known.empty()) {
+    known_ = gl::Buffer(std::span<const float>(known));
+    vertexArray_->attribute(2, 1, known_);
   }
   vertexArray_->indices(indices_);
 }
@@ -39,7 +47,7 @@ void GpuMesh::set(std::shared_ptr<const Mesh> mesh) {
 void GpuMesh::draw() const {
   if (empty()) return;
   glBindVertexArray(vertexArray_->name());
-  glVertexAttrib1f(2, 1.0f);  // for meshes without visibility
+  glVertexAttrib1f(2, 1.0f);  // for meshes that do not say how well they are known
   glDrawElements(GL_TRIANGLES, GLsizei(mesh_->triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
 }
 

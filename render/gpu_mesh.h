@@ -9,7 +9,8 @@
 namespace sonoskin {
 
 // GpuMesh: a mesh's copy on the GPU; uploads only where the mesh is another object than the last time.
-//   vertex inputs  0: position (mm), 1: unit normal, 2: visibility (1 where the mesh tells none)
+//   vertex inputs  0: position (mm), 1: unit normal, 2: how well the place is known, visibility times measured (1
+//                  where the mesh tells neither)
 class GpuMesh {
  public:
   // set: keeps the mesh alive, so that its address stays its name.
@@ -24,7 +25,7 @@ class GpuMesh {
   std::shared_ptr<const Mesh> mesh_;
   Box box_;
   std::optional<gl::VertexArray> vertexArray_;
-  gl::Buffer positions_, normals_, visibility_, indices_;
+  gl::Buffer positions_, normals_, known_, indices_;
 };
 
 }  // namespace sonoskin

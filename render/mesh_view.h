@@ -12,7 +12,7 @@ namespace sonoskin {
 
 // MeshViewInput: what MeshView draws.
 //   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light, 16 for the outline)
-//   unseenShade     0 to 1: how far regions that the probe cannot have seen are greyed
+//   unseenShade     0 to 1: how far regions that the probe cannot have seen, or that were not measured, are greyed
 //   shadowSize      texels along the shadow map's side
 struct MeshViewInput {
   const GpuMesh& mesh;

@@ -55,6 +55,7 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
              .lighting = parseLighting(options.light, camera),
              .look = look,
              .supersampling = 2,
+             .unseenShade = options.unseenShade,
              .shadowSize = 2048},
             picture);
   return gl::readImage(picture);

@@ -21,6 +21,7 @@ struct PictureOptions {
   std::string camera = "probe";    // see parseCamera
   std::string light = "portrait";  // see parseLighting
   Beam beam{};                     // what "probe" means
+  float unseenShade = 0;           // of surfaces; 0 to 1: how far what was not measured is greyed
   std::optional<Camera> face{};    // what "face" means
 
   const Camera* faceCamera() const { return face ? &*face : nullptr; }

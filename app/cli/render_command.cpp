@@ -163,6 +163,10 @@ Command addRenderCommand(CLI::App& program, Console& console) {
   command->add_flag(
       "--whole", options->whole,
       "for volume: the whole region; by default only the box around the surface that was found");
+  command->add_flag_callback(
+      "--mark-unmeasured", [options] { options->picture.unseenShade = 1; },
+      "for skin and mesh: grey what was not measured: closed holes, and the border, where points grow "
+      "sparse");
   command
       ->add_option(
           "--camera", options->picture.camera,

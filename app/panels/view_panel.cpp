@@ -79,6 +79,11 @@ void drawViewPanel(Workspace& workspace) {
   } else {
     rowLabel("Look");
     chooseSegment("view.meshStyle", {"Clay", "Skin"}, view.meshStyle);
+    rowLabel("");
+    ImGui::Checkbox("Mark what was not measured", &view.unmeasured);
+    noteWidget("view.unmeasured");
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("Greyed: closed holes, and the border, where points grow sparse.");
   }
   ImGui::EndTable();
 }

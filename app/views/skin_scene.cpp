@@ -101,6 +101,7 @@ void SkinScene::draw(const Workspace& workspace, int supersampling, bool finishe
   input.quality.points = finished;
   input.supersampling = supersampling;
   input.pass = show.pass;
+  input.unseenShade = workspace.view.unmeasured ? 1 : 0;
   const bool atOnce = finished || (times_ && times_->light < kLightAtOnce);
   if (!atOnce) input.steps = 1;
   const bool split = show.compare != SkinCompare::off;
@@ -123,6 +124,7 @@ void SkinScene::draw(const Workspace& workspace, int supersampling, bool finishe
   other.supersampling = supersampling;
   other.pass = show.pass;
   other.shownPart = input.shownPart;
+  other.unseenShade = input.unseenShade;
   other.steps = input.steps;
   kept_.view->draw(other, target);
   complete_ = complete_ && kept_.view->complete();

@@ -40,7 +40,7 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   hasher.addBytes(&v.camera.target, sizeof v.camera.target)
       .addBytes(&v.camera.forward, sizeof v.camera.forward);
   hasher.addBytes(&v.camera.up, sizeof v.camera.up).add(v.camera.distance).add(v.camera.fieldOfView);
-  hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle);
+  hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle).add(v.unmeasured);
   if (showsMesh(w)) {
     hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get()));
     if (wantsSkin(w)) window.skin.addTo(hasher, w);
@@ -61,6 +61,7 @@ void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const 
       .mesh = window.mesh, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
   input.look = w.view.meshStyle == MeshStyle::clay ? MeshLook::clay : MeshLook::skin;
   input.supersampling = supersampling;
+  input.unseenShade = w.view.unmeasured ? 1 : 0;
   window.meshView->draw(input, target);
 }
 

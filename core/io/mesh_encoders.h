@@ -7,14 +7,14 @@
 #include "core/mesh/mesh.h"
 
 // The contents of mesh files. Input for all: a mesh that writeMesh has checked, world mm, LPS. PLY is our own code,
-// because it carries our properties `visibility` and `label`; the others are assimp's work, to which we add the marks of unit,
-// frame and program that it has no place for. It leaves out triangles that use a vertex twice.
+// because it carries our properties `visibility`, `measured` and `label`; the others are assimp's work, to which we add
+// the marks of unit, frame and program that it has no place for. It leaves out triangles that use a vertex twice.
 namespace sonoskin {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// encodePly: binary, little-endian, mm; vertices float x y z, and nx ny nz, visibility and uchar label where the mesh
-// has them; faces uchar 3 and three ints. [Turk 1994]
+// encodePly: binary, little-endian, mm; vertices float x y z, and nx ny nz, visibility, measured and uchar label where
+// the mesh has them; faces uchar 3 and three ints. [Turk 1994]
 Bytes encodePly(const Mesh& mesh);
 
 // encodeStl: binary, mm; flat triangles with their normals.

@@ -36,9 +36,10 @@ void checkWritable(const Mesh& mesh) {
   require(!mesh.empty(), "There is no surface to write.");
   require((mesh.normals.empty() || mesh.normals.size() == n) &&
               (mesh.visibility.empty() || mesh.visibility.size() == n) &&
+              (mesh.measured.empty() || mesh.measured.size() == n) &&
               (mesh.labels.empty() || mesh.labels.size() == n),
-          "The surface has {} vertices but {} normals, {} visibilities and {} labels.", n, mesh.normals.size(),
-          mesh.visibility.size(), mesh.labels.size());
+          "The surface has {} vertices but {} normals, {} visibilities, {} measured shares and {} labels.", n,
+          mesh.normals.size(), mesh.visibility.size(), mesh.measured.size(), mesh.labels.size());
   for (const glm::vec3& p : mesh.positions)
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
             "The surface has a vertex at no finite position.");

@@ -198,8 +198,8 @@ std::uint8_t labelOf(float value) { return value >= 0 && value <= 255 ? std::uin
 
 void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
                   const Progress& progress) {
-  static constexpr std::array<std::string_view, 10> kNames{"x",  "y",          "z", "nx", "ny",
-                                                           "nz", "visibility", "s", "t",  "label"};
+  static constexpr std::array<std::string_view, 11> kNames{"x",          "y", "z", "nx",    "ny",      "nz",
+                                                           "visibility", "s", "t", "label", "measured"};
   std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
   std::array<bool, kNames.size()> has{};
   for (const Property& p : element.properties) {
@@ -222,6 +222,7 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<gl
     if (has[6]) mesh.visibility.push_back(values[6]);
     if (has[9]) mesh.labels.push_back(labelOf(values[9]));
     if (has[7] && has[8]) uvs.emplace_back(values[7], values[8]);
+    if (has[10]) mesh.measured.push_back(std::clamp(values[10], 0.f, 1.f));
   }
 }
 

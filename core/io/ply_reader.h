@@ -9,8 +9,8 @@ namespace sonoskin {
 
 // readPly: reads text and binary PLY of either byte order; elements and properties that a Mesh does not have are
 // skipped, polygons are split into fans.
-//   output  as in the file: no change of axes; normals, visibility, labels (0 to 255) and texture coordinates only where
-//           the file has them
+//   output  as in the file: no change of axes; normals, visibility, measured (cut to 0 to 1), labels (0 to 255) and texture
+//           coordinates only where the file has them
 //   errors  Error: damaged or incomplete; more elements than the file has room for (looked at before memory is
 //           taken for them); positions that are not finite; Cancelled
 Mesh readPly(const std::filesystem::path& path, const Progress& progress = {});

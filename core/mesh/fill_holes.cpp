@@ -38,9 +38,7 @@ class BorderEdges {
   std::unordered_set<std::uint64_t> edges_;
 };
 
-double sizeAcross(const Mesh& mesh, const Loop& loop, double enough) {
-  std::vector<glm::vec3> points;
-  for (const std::uint32_t h : loop) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
+double sizeAcross(const std::vector<glm::vec3>& points, double enough) {
   const Box box = boundingBox(points);
   const glm::vec3 sides = box.max - box.min;
   // Between the longest side of the box and its diagonal: most loops need no closer look.
@@ -52,17 +50,15 @@ double sizeAcross(const Mesh& mesh, const Loop& loop, double enough) {
   return std::sqrt(double(squared));
 }
 
-// A border: its length and size across, mm.
+// A border: its size across, and the diagonal of its box, mm.
 struct Extent {
-  double length = 0, size = 0;
+  double size = 0, diagonal = 0;
 };
 
 Extent extentOf(const Mesh& mesh, const Loop& loop, double enough) {
-  Extent extent{0, sizeAcross(mesh, loop, enough)};
-  for (const std::uint32_t h : loop)
-    extent.length += double(glm::distance(mesh.positions[originOf(mesh.triangles, h)],
-                                          mesh.positions[originOf(mesh.triangles, nextHalfEdge(h))]));
-  return extent;
+  std::vector<glm::vec3> points;
+  for (const std::uint32_t h : loop) points.push_back(mesh.positions[originOf(mesh.triangles, h)]);
+  return {sizeAcross(points, enough), double(boundingBox(points).diagonal())};
 }
 
 // Areas of the pieces, mm².
@@ -79,19 +75,19 @@ std::vector<double> areasOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
 // The largest border of every piece is no hole, or only where it is small beside the piece.
 std::vector<bool> areOutlines(const Mesh& mesh, const std::vector<Loop>& loops,
                               const std::vector<Extent>& extents, Outline outline) {
-  constexpr double kSmall = 0.25;  // length² by area
+  constexpr double kSmall = 0.1;  // squared diagonal of the border's box by the area of the piece
   const std::vector<std::uint32_t> piece = pieceOfVertices(mesh);
   const std::vector<double> areas = areasOf(mesh, piece);
   std::vector<std::size_t> largest(areas.size(), loops.size());
   const auto pieceOf = [&](std::size_t l) { return piece[originOf(mesh.triangles, loops[l][0])]; };
   for (std::size_t l = 0; l < loops.size(); ++l) {
     std::size_t& most = largest[pieceOf(l)];
-    if (most == loops.size() || extents[l].length > extents[most].length) most = l;
+    if (most == loops.size() || extents[l].diagonal > extents[most].diagonal) most = l;
   }
   std::vector<bool> isOutline(loops.size(), false);
   for (const std::size_t l : largest) {
     if (l == loops.size()) continue;
-    const bool isSmall = extents[l].length * extents[l].length < kSmall * areas[pieceOf(l)];
+    const bool isSmall = extents[l].diagonal * extents[l].diagonal < kSmall * areas[pieceOf(l)];
     isOutline[l] = outline == Outline::keep || !isSmall;
   }
   return isOutline;

@@ -10,8 +10,9 @@ namespace sonoskin {
 // HoleOptions: which borders are holes.
 //   largest    size across: the greatest distance between two points of the border, mm
 //   outline    what becomes of the largest border of every piece: filled as any other; kept open, however small it is;
-//              or kept open unless it is small beside its piece (length² < area/4: a disc has 12.6, a tube three times as
-//              long as wide 1, a sphere with a hole of a third of its width 0.1)
+//              or kept open unless it is small beside its piece (the squared diagonal of its box below a tenth of
+//              the area: a disc has 2.5 times its area, a tube three times as long as wide 0.2, a sphere with a hole of
+//              a third of its width 0.07)
 enum class Outline { fill, keep, keepUnlessSmall };
 struct HoleOptions {
   double largest = std::numeric_limits<double>::infinity();

@@ -179,6 +179,7 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
   p.set("mixBefore", float(input.look.skin.mix));
   p.set("exposure", input.look.lights.exposure);
   p.set("firstWeight", light.firstWeight());
+  p.set("unseenShade", input.unseenShade);
   p.set("insideColour", insideColour(input.look.lights));
   light.lightMaps().setLights(p, input.look.lights);
   setScreen(p, input.camera, float(size.x) / float(size.y), projection);

@@ -115,6 +115,10 @@ void GpuSkin::Parts::upload() {
   vertexArray->attribute(0, 3, positions);
   vertexArray->attribute(1, 3, normals);
   vertexArray->attribute(2, 2, uvs);
+  if (!mesh.measured.empty()) {
+    measured = gl::Buffer(std::span<const float>(gather(mesh.measured, source)));
+    vertexArray->attribute(3, 1, measured);
+  }
   vertexArray->indices(indices);
   const AtlasMaps& maps = surface->maps;
   covered.upload(coveredTiles(maps));
@@ -127,6 +131,7 @@ void GpuSkin::Parts::upload() {
 
 void GpuSkin::Parts::draw() const {
   glBindVertexArray(vertexArray->name());
+  glVertexAttrib1f(3, 1.0f);  // for meshes that do not say what was measured
   glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
 }
 

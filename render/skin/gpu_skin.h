@@ -10,7 +10,7 @@
 namespace sonoskin {
 
 // GpuSkin::Parts: what the passes read.
-//   vertex inputs  0: position (mm), 1: unit normal, 2: place in the atlas, 0 to 1
+//   vertex inputs  0: position (mm), 1: unit normal, 2: place in the atlas, 0 to 1, 3: measured
 //   position       rgba32f: mm; 1 owned, 0.5 skirt, 0 nothing;  normal: unit, mean curvature;  open: bent normal, share of
 //                  open sky;  stretch: mm per texel;  charts: number of the chart
 struct GpuSkin::Parts {
@@ -18,7 +18,7 @@ struct GpuSkin::Parts {
   std::uint64_t number = 0;  // of the surface: every one that is set anywhere gets another
   Box box;
   std::optional<gl::VertexArray> vertexArray;
-  gl::Buffer positions, normals, uvs, indices;
+  gl::Buffer positions, normals, uvs, measured, indices;
   struct Drawn {
     gl::Buffer corners;
     std::optional<gl::VertexArray> array;

@@ -65,7 +65,8 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
              .look = skin,
              .quality = look.quality,
              .supersampling = 2,
-             .pass = look.pass},
+             .pass = look.pass,
+             .unseenShade = options.unseenShade},
             picture);
   progress.update(1);
   return gl::readImage(picture);

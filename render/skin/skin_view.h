@@ -70,6 +70,7 @@ class GpuSkin {
 // SkinViewInput: what SkinView draws.
 //   supersampling  1 for interaction; 2 for pictures
 //   pass           what is shown
+//   unseenShade    0 to 1: how far what was not measured is greyed
 //   shownPart      left and right limit of the picture's columns that are drawn, 0 to 1: split views draw twice
 //   steps          how many of the light passes may run now; those that are left run with the next draws, and the light
 //                  that has spread is the last complete one meanwhile
@@ -82,6 +83,7 @@ struct SkinViewInput {
   SkinPass pass = SkinPass::skin;
   glm::vec2 shownPart{0, 1};
   int steps = 1000;
+  float unseenShade = 0;
 };
 
 // SkinView: a surface as skin. Light is computed in the atlas and kept until lights, material or surface change: turning

@@ -18,6 +18,7 @@ uniform sampler2D diffusedMap, visibilityMap, albedoMap, finishMap;
 uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
 uniform float mixBefore, exposure;
+uniform float unseenShade;     // 0 to 1: how far what was not measured is greyed
 uniform vec3 firstWeight;      // of the narrowest Gaussian
 uniform vec3 insideColour;     // of the inner sides of an open surface: nothing was measured there
 
@@ -85,7 +86,10 @@ void main() {
   if (depth == 1.0) discard;  // the background is there already
   vec4 surface = texelFetch(surfaceMap, texel, 0);
   vec3 p = eye + distanceOf(depth) * rayAt(uv);
-  vec3 shown = toneMap(exposure * shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0));
+  vec3 light = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0);
+  float unmeasured = unseenShade * (2.0 - 2.0 * abs(surface.w));
+  light = mix(light, dot(light, vec3(0.2126, 0.7152, 0.0722)) * vec3(0.8, 0.85, 0.95), unmeasured);
+  vec3 shown = toneMap(exposure * light);
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else

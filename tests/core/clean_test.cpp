@@ -11,9 +11,11 @@
 namespace sonoskin {
 namespace {
 
-TEST(Clean, NothingIsAskedForByDefault) {
-  EXPECT_FALSE(needsCleaning({}));
+TEST(Clean, OnlyHolesAreClosedByDefault) {
+  EXPECT_TRUE(needsCleaning({}));
   MeshOptions options;
+  options.fillHoles = 0;
+  EXPECT_FALSE(needsCleaning(options));
   options.smoothing = 1;
   EXPECT_TRUE(needsCleaning(options));
 }
@@ -44,6 +46,30 @@ TEST(Clean, EverythingTogether) {
   EXPECT_LE(clean.triangles.size(), 4100u);
   EXPECT_EQ(clean.visibility.size(), clean.positions.size());
   EXPECT_EQ(clean.normals.size(), clean.positions.size());
+}
+
+Mesh withoutCap(float height) {
+  Mesh mesh = test::icosphere(5, 10, {});
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.positions[v].z > height; });
+  });
+  compactVertices(mesh);
+  mesh.measured.assign(mesh.positions.size(), 1.f);
+  return mesh;
+}
+
+TEST(Clean, AHoleIsClosedAndMarkedAndAnOutlineStaysOpen) {
+  const Mesh open = withoutCap(9.4f);  // a hole of 7 mm across
+  const Mesh closed = cleanMesh(open, {});
+  EXPECT_TRUE(checkMesh(closed).closed());
+  ASSERT_EQ(closed.measured.size(), closed.positions.size());
+  for (std::size_t v = 0; v < closed.positions.size(); ++v) {
+    ASSERT_EQ(closed.measured[v], v < open.positions.size() ? 1.f : 0.f);
+    ASSERT_NEAR(glm::length(closed.positions[v]), 10, 0.05);
+  }
+  const Mesh cap = withoutCap(-9.4f);  // a patch of 7 mm across, all outline
+  ASSERT_FALSE(cap.empty());
+  EXPECT_EQ(cleanMesh(cap, {}).triangles.size(), cap.triangles.size());
 }
 
 TEST(Clean, Cancelled) {

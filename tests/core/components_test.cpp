@@ -57,6 +57,7 @@ TEST(Components, SplitsByAreaAndKeepsAttributes) {
   all.positions.push_back({9, 9, 9});  // a vertex without a triangle belongs to no piece
   all.normals.push_back({0, 0, 1});
   for (std::size_t v = 0; v < all.positions.size(); ++v) all.visibility.push_back(all.positions[v].x);
+  all.measured = all.visibility;
   const std::vector<Mesh> pieces = splitPieces(all);
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_NEAR(surfaceArea(pieces[0]), 6400, 1e-3);
@@ -65,6 +66,7 @@ TEST(Components, SplitsByAreaAndKeepsAttributes) {
   for (const Mesh& p : pieces) {
     ASSERT_EQ(p.normals.size(), p.positions.size());
     ASSERT_EQ(p.visibility.size(), p.positions.size());
+    ASSERT_EQ(p.measured, p.visibility);
     for (std::size_t v = 0; v < p.positions.size(); ++v) EXPECT_EQ(p.visibility[v], p.positions[v].x);
   }
   for (std::size_t v = 0; v < pieces[1].positions.size(); ++v)

@@ -54,13 +54,17 @@ TEST(WriteMesh, SaysUnitAndFrameInTheHeader) {
   EXPECT_EQ(std::filesystem::file_size(folder / "a.stl"), 84u + 50 * 20);
 }
 
-TEST(WriteMesh, PlyKeepsVisibility) {
+TEST(WriteMesh, PlyKeepsVisibilityAndWhatWasMeasured) {
   const TempFolder folder;
   Mesh mesh = icosphere(1, 1, {});
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.visibility.push_back(float(v) / 41);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.visibility.push_back(float(v) / 41);
+    mesh.measured.push_back(1 - float(v) / 50);
+  }
   writeMesh(folder / "a.ply", mesh);
   const Mesh read = readMesh(folder / "a.ply");
   EXPECT_EQ(read.visibility, mesh.visibility);
+  EXPECT_EQ(read.measured, mesh.measured);
   EXPECT_EQ(read.positions, mesh.positions);
   EXPECT_EQ(read.normals, mesh.normals);
   EXPECT_EQ(read.triangles, mesh.triangles);

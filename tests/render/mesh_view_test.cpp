@@ -47,6 +47,27 @@ TEST_F(MeshViewTest, SkinIsRedderThanClay) {
   EXPECT_GT(skin.rgba[middle] - skin.rgba[middle + 2], clay.rgba[middle] - clay.rgba[middle + 2] + 20);
 }
 
+TEST_F(MeshViewTest, WhatWasNotMeasuredIsGreyedWhereAskedFor) {
+  Mesh mesh = sphereMesh({5, -3, 8}, 10);
+  for (const glm::vec3& p : mesh.positions) mesh.measured.push_back(p.x > 5 ? 0.f : 1.f);
+  PictureOptions options;
+  options.size = {160, 120};
+  options.camera = "front";
+  const auto picture = [&] {
+    return pictureOfMesh(context(), std::make_shared<Mesh>(mesh), MeshLook::skin, options);
+  };
+  const auto redness = [](const Image& image, int x) {
+    const std::uint8_t* p = &image.rgba[std::size_t(4 * (60 * image.width + x))];
+    return p[0] - p[2];
+  };
+  const Image plain = picture();
+  options.unseenShade = 1;
+  const Image marked = picture();
+  // Seen from the front, the left of the baby (x > 5) is on the right.
+  EXPECT_EQ(redness(marked, 80 - 20), redness(plain, 80 - 20));
+  EXPECT_LT(redness(marked, 80 + 20), redness(plain, 80 + 20) - 20);
+}
+
 TEST_F(MeshViewTest, SamePictureAgain) { EXPECT_EQ(draw(MeshLook::skin).rgba, draw(MeshLook::skin).rgba); }
 
 TEST_F(MeshViewTest, OsMesaShowsTheSamePicture) {
