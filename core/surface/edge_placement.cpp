@@ -21,6 +21,8 @@ constexpr float kMedianAround = 1.5f, kNoiseAround = 2.5f;  // mm
 constexpr float kLikely = 1.2f;    // mm: how far from the mean profile's edge one lies
 constexpr float kStep = 0.5f;      // mm: more than neighbours differ
 constexpr float kSameSide = 0.5f;  // least cosine between the normals of neighbours
+constexpr double kWidthOfVoxels =
+    1.2;  // smallest spacings: what sampling and averaging add to an edge's width, squared
 constexpr float kLeastSlope = 1e-4f;
 constexpr std::size_t kBatch = 256;
 constexpr std::size_t kCount = 2 * kReach + 1;
@@ -246,9 +248,11 @@ EdgeProfile Edges::meanProfile() const {
   profile.dark = *std::min_element(grey.begin(), grey.begin() + kReach);
   profile.bright = *std::max_element(grey.begin() + kReach, grey.end());
   const double rise = profile.bright - profile.dark;
-  profile.width = (crossing(grey, kReach, 1, profile.dark + 0.8 * rise) -
-                   crossing(grey, kReach, -1, profile.dark + 0.2 * rise)) *
-                  double(sample_);
+  const double measured = (crossing(grey, kReach, 1, profile.dark + 0.8 * rise) -
+                           crossing(grey, kReach, -1, profile.dark + 0.2 * rise)) *
+                          double(sample_);
+  const double ofVoxels = kWidthOfVoxels * volume_.geometry.minSpacing();
+  profile.width = std::sqrt(std::max(measured * measured - ofVoxels * ofVoxels, 0.09 * measured * measured));
   std::vector<float> places = place_;
   profile.shift = double(medianOf(places) * sample_);
   return profile;

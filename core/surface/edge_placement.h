@@ -9,7 +9,7 @@ namespace sonoskin {
 // EdgeProfile: the grey across the surface, the mean over its points, each at its own steepest rise.
 //   dark, bright   grey before the rise and behind it, in [0, 1]
 //   steepest       grey at the steepest rise
-//   width          mm in which the grey rises from 20 to 80 % of the way
+//   width          mm in which the grey rises from 20 to 80 % of the way, without what the voxels' size adds
 //   shift          mm that the points had to be moved inward to the steepest rise, their median
 //   depth          mm that the skin is taken to lie behind it
 struct EdgeProfile {

@@ -99,7 +99,7 @@ TEST(ParameterUse, AFitIgnoresWhatItIsSaidToIgnore) {
     for (const bool weights : {false, true}) {
       Parameters p;
       ReconstructionOptions& o = p.reconstruction;
-      o = {method, 1e-4, 1.5, 10, 0.3, true, weights, 1e-4};
+      o = {.method = method, .smoothness = 1e-4, .maxSupport = 0.3, .fitWeights = weights};
       const double usual = outcome(o);
       const auto check = [&](const char* field, auto ReconstructionOptions::*member, auto value) {
         ReconstructionOptions changed = o;
