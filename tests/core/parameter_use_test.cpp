@@ -89,6 +89,7 @@ TEST(ParameterUse, WithoutEnhancementItsParametersAreUnused) {
 TEST(ParameterUse, AFitIgnoresWhatItIsSaidToIgnore) {
   SurfacePoints points = spherePoints(5000, 10, 0.1);
   for (std::size_t i = 0; i < points.size(); i += 2) points.confidence[i] = 0.3f;
+  points.noise.assign(points.size(), 0.5f);
   const auto outcome = [&](const ReconstructionOptions& o) {
     const CsrbfModel model = fitCsrbf(points, o);
     double sum = 0;
@@ -108,6 +109,7 @@ TEST(ParameterUse, AFitIgnoresWhatItIsSaidToIgnore) {
             << field << " with method " << int(method) << " and weights " << weights;
       };
       check("smoothness", &ReconstructionOptions::smoothness, 5e-5);
+      check("measuredNoise", &ReconstructionOptions::measuredNoise, false);
       check("overlap", &ReconstructionOptions::overlap, 2.0);
       check("neighbours", &ReconstructionOptions::neighbours, 20);
       check("maxSupport", &ReconstructionOptions::maxSupport, 0.05);

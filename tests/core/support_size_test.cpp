@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/rbf/centres.h"
+#include "core/rbf/csrbf_model.h"
 #include "tests/support/synthetic_points.h"
 
 namespace sonoskin {
@@ -102,6 +104,34 @@ TEST(SupportSize, AThinWallShrinksTheSupportButKeepsTheNormal) {
   const FittedCentre centre = fitCentre(points, middle, rule, 0, scratch);
   EXPECT_LT(centre.sigma, 8);
   EXPECT_NEAR(centre.frame.normal.z, 1, 1e-4f);
+}
+
+// A place whose points are known to be noisier gets larger supports, and the fit is no rougher for it.
+TEST(MeasuredNoise, MakesSupportsLargerWhereThereIsMore) {
+  SurfacePoints points = spherePoints(8000, 10, 0.02);
+  for (const glm::vec3& p : points.positions) points.noise.push_back(p.x > 0 ? 0.3f : 0.05f);
+  ReconstructionOptions options;
+  const auto meanSupports = [&] {
+    double sum[2]{}, count[2]{};
+    const CsrbfModel model = fitCsrbf(points, options);
+    for (const Centre& c : model.centres())
+      sum[c.position.x > 0] += double(c.support), count[c.position.x > 0] += 1;
+    return std::array{sum[0] / count[0], sum[1] / count[1]};
+  };
+  const auto [quiet, noisy] = meanSupports();
+  EXPECT_GT(noisy, 1.3 * quiet);
+  options.measuredNoise = false;
+  const auto [one, other] = meanSupports();
+  EXPECT_NEAR(one, other, 0.1 * one);
+}
+
+// `smoothness` scales what the noise asks for.
+TEST(MeasuredNoise, IsScaledBySmoothness) {
+  SupportRule rule{1, 10, 100, 2e-5};
+  const double usual = rule.atNoise(0.2).smoothness;
+  rule.smoothness = 4e-5;
+  EXPECT_NEAR(rule.atNoise(0.2).smoothness, 2 * usual, 1e-12);
+  EXPECT_NEAR(rule.atNoise(0.4).smoothness, 4 * usual, 1e-12);
 }
 
 }  // namespace
