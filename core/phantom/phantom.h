@@ -24,10 +24,10 @@ Scan makePhantomScan(const PhantomOptions& options, const Progress& progress = {
 //   output   closed mesh (flat where the baby leaves the field of view) with exact normals, vertices within
 //            0.02 mm of the true skin; visibility 1 where the simulated probe sees the skin: at least 1 mm
 //            inside the sector and the field of view, the cosine between normal and way back to the probe
-//            above 0.25, none of the baby and no cord in between, no tissue that the scene put there within
-//            0.8 mm, and less
-//            than 8 dB lost (there and back) in the mother's tissue and at grazed edges; 0 elsewhere. labels:
-//            the BodyPart, never `other`: tissue that is not the baby's is not in the mesh (PhantomModel knows it)
+//            above 0.25, none of the baby and no cord in between, no other tissue within 0.8 mm (but for the
+//            first phantom), and less than 8 dB lost (there and back) in the mother's tissue and at grazed
+//            edges; 0 elsewhere. labels: the BodyPart, never `other`: tissue that is not the baby's is not in
+//            the mesh (PhantomModel knows it)
 //   errors   Error: an option is out of range; Cancelled
 //   cost     1.4 s of one core
 Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress = {});

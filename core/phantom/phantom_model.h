@@ -38,8 +38,9 @@ class PhantomModel {
   // other: to everything that is not the baby's skin: the least of wall and strands.
   double other(const glm::dvec3& world) const;
 
-  // touches: whether other tissue was put on the baby or beside it.
-  bool touches() const { return hasStrands() || !lobes_.empty(); }
+  // isCrowded: whether other tissue may lie on the skin that is to be seen. In the first phantom it does so at
+  // the border of the field of view only, which its truth leaves out of account.
+  bool isCrowded() const { return hasStrands() || !lobes_.empty() || !isFirstArm_; }
 
   // part: of the baby, to which a place on or near the skin belongs; never `other`.
   BodyPart part(const glm::dvec3& world) const;

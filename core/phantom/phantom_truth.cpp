@@ -73,7 +73,7 @@ class Truth {
   bool seen(const glm::vec3& p, const glm::vec3& normal) const {
     if (boxDistance(p) > -double(kBorder) || !sector_.contains(p, kBorder)) return false;
     if (glm::dot(normal, glm::normalize(sector_.apex - p)) <= kFacing) return false;
-    if (model_.touches() && isCovered(p, normal)) return false;
+    if (model_.isCrowded() && isCovered(p, normal)) return false;
     return lossBefore(sector_, sight_, p) < kShadow;
   }
 

@@ -49,6 +49,13 @@ TEST(ClipMesh, CutsACapOffASphere) {
   }
 }
 
+TEST(ClipMesh, LabelsAreThoseOfTheVerticesThatStay) {
+  Mesh sphere = test::icosphere(4, 10, glm::vec3(0));
+  for (const glm::vec3& p : sphere.positions) sphere.labels.push_back(p.z > 3 ? 2 : 7);
+  const Mesh cap = clipMesh(sphere, heights(sphere, 3));
+  EXPECT_EQ(cap.labels, std::vector<std::uint8_t>(cap.positions.size(), 2));
+}
+
 TEST(ClipMesh, KeepsAllOrNothing) {
   const Mesh sphere = test::icosphere(2, 10, glm::vec3(0));
   EXPECT_EQ(clipMesh(sphere, heights(sphere, -11)).triangles, sphere.triangles);

@@ -58,6 +58,7 @@ TEST(Components, SplitsByAreaAndKeepsAttributes) {
   all.normals.push_back({0, 0, 1});
   for (std::size_t v = 0; v < all.positions.size(); ++v) all.visibility.push_back(all.positions[v].x);
   all.measured = all.visibility;
+  for (const glm::vec3& p : all.positions) all.labels.push_back(std::uint8_t(p.x + 100));
   const std::vector<Mesh> pieces = splitPieces(all);
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_NEAR(surfaceArea(pieces[0]), 6400, 1e-3);
@@ -67,10 +68,15 @@ TEST(Components, SplitsByAreaAndKeepsAttributes) {
     ASSERT_EQ(p.normals.size(), p.positions.size());
     ASSERT_EQ(p.visibility.size(), p.positions.size());
     ASSERT_EQ(p.measured, p.visibility);
-    for (std::size_t v = 0; v < p.positions.size(); ++v) EXPECT_EQ(p.visibility[v], p.positions[v].x);
+    for (std::size_t v = 0; v < p.positions.size(); ++v) {
+      EXPECT_EQ(p.visibility[v], p.positions[v].x);
+      EXPECT_EQ(p.labels[v], std::uint8_t(p.positions[v].x + 100));
+    }
   }
   for (std::size_t v = 0; v < pieces[1].positions.size(); ++v)
     EXPECT_GT(glm::dot(pieces[1].normals[v], pieces[1].positions[v] - glm::vec3(20, 0, 0)), 4);
+  EXPECT_EQ(joinPieces(pieces).labels.size(), joinPieces(pieces).positions.size());
+  EXPECT_TRUE(joinPieces({pieces[0], wall(1, 1)}).labels.empty());
   EXPECT_TRUE(splitPieces(Mesh()).empty());
 }
 

@@ -82,13 +82,17 @@ TEST(FillHoles, SingleTrianglesAndOddLoops) {
 TEST(FillHoles, PartsOfTheMeshStayAndNewOnesAreComplete) {
   Mesh open = withoutCap(4, 10, 8.66f);
   open.visibility.assign(open.positions.size(), 1.f);
+  open.labels.assign(open.positions.size(), 3);
   const Mesh filled = fillHoles(open, {12, Outline::fill});
   ASSERT_EQ(filled.normals.size(), filled.positions.size());
   ASSERT_EQ(filled.visibility.size(), filled.positions.size());
+  ASSERT_EQ(filled.labels.size(), filled.positions.size());
+  EXPECT_EQ(filled.labels[0], 3);
   EXPECT_TRUE(std::equal(open.positions.begin(), open.positions.end(), filled.positions.begin()));
   EXPECT_TRUE(std::equal(open.normals.begin(), open.normals.end(), filled.normals.begin()));
   for (std::size_t v = open.positions.size(); v < filled.positions.size(); ++v) {
     EXPECT_EQ(filled.visibility[v], 0);
+    EXPECT_EQ(filled.labels[v], 0);
     EXPECT_GT(glm::dot(filled.normals[v], glm::normalize(filled.positions[v])), 0.98f);
   }
 }

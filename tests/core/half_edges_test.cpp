@@ -54,11 +54,13 @@ TEST(HalfEdges, CompactDropsWhatNoTriangleNames) {
   Mesh mesh;
   mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}};
   mesh.visibility = mesh.measured = {9, 1, 2, 8, 3};
+  mesh.labels = {9, 1, 2, 8, 3};
   mesh.triangles = {{1, 2, 4}};
   compactVertices(mesh);
   EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
   EXPECT_EQ(mesh.visibility, (std::vector<float>{1, 2, 3}));
   EXPECT_EQ(mesh.measured, mesh.visibility);
+  EXPECT_EQ(mesh.labels, (std::vector<std::uint8_t>{1, 2, 3}));
 }
 
 }  // namespace

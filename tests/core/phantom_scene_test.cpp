@@ -137,8 +137,10 @@ TEST(PhantomScene, ThickEchoesAreThoseOfRealVolumes) {
 
 TEST(PhantomScene, EveryOneIsAnotherScan) {
   std::vector<Key> keys;
-  for (int scene = 0; scene <= int(PhantomScene::clinical); ++scene)
-    keys.push_back(makePhantomScan(sceneOf(PhantomScene(scene), {64, 36, 70})).key);
+  for (const PhantomScene scene :
+       {PhantomScene::clear, PhantomScene::thick, PhantomScene::haze, PhantomScene::saturated,
+        PhantomScene::enhanced, PhantomScene::planes, PhantomScene::attached})
+    keys.push_back(makePhantomScan(sceneOf(scene, {64, 36, 70})).key);
   PhantomOptions other = sceneOf(PhantomScene::clear, {64, 36, 70});
   other.shape = 3;
   keys.push_back(makePhantomScan(other).key);
