@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/theme.h"
 #include "app/widgets/layout.h"
@@ -79,6 +80,12 @@ void drawViewPanel(Workspace& workspace) {
   } else {
     rowLabel("Look");
     chooseSegment("view.meshStyle", {"Clay", "Skin"}, view.meshStyle);
+    rowLabel("");
+    const Command& parts = command("surface.parts");
+    const DisabledIf none(!isEnabled(parts, workspace));
+    bool shown = view.parts;
+    if (ImGui::Checkbox(parts.title, &shown)) parts.run(workspace);
+    noteWidget(parts.id);
   }
   ImGui::EndTable();
 }
