@@ -18,9 +18,10 @@ vec3 middleOf(const SurfacePoints& points) {
   return vec3(sum / double(points.size()));
 }
 
-// How good a hypothesis is once its relief is known.
-float worth(const FaceHypothesis& h, const FaceEvidence& e) {
-  return h.score * std::pow(std::max(e.relief, 0.f), 1.5f);
+// How good a hypothesis is once its relief is known; those who record a face have it before them.
+float worth(const FaceHypothesis& h, const FaceEvidence& e, const vec3& toProbe) {
+  const float facing = 0.6f + 0.4f * glm::dot(h.face.front(), toProbe);
+  return h.score * facing * std::pow(std::max(e.relief, 0.f), 1.5f);
 }
 
 // Fitted by hand to 60 simulated heads turned by up to 60 degrees, 48 surfaces without a face, and four real scans.
@@ -55,7 +56,7 @@ FaceFit fitFace(const FaceInput& input, const FaceOptions& options, const Progre
   float best = -1, second = 0;
   for (const FaceHypothesis& h : found) {
     const FaceEvidence evidence = faceEvidence(h.face, space);
-    const float here = worth(h, evidence);
+    const float here = worth(h, evidence, toProbe);
     if (here <= best) {
       second = std::max(second, here);
       continue;

@@ -16,7 +16,7 @@ using glm::vec3;
 constexpr std::size_t kRoughPoints = 96, kFairPoints = 200, kAllPoints = 100000;
 constexpr float kRoughWidth = 4, kFairWidth = 2.5f, kFineWidth = 1.5f;
 constexpr int kRolls = 20;
-constexpr std::size_t kRough = 400, kFair = 24, kFine = 8;
+constexpr std::size_t kRough = 400, kFair = 24, kFine = 12;
 const vec3 kAnchor(0, -12, 37);  // of the mean face, between the nose's wings: it lies on the surface
 
 // Start: a place of the surface, and where it looks.

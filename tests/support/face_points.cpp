@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/phantom/fetal_arm.h"
 #include "core/phantom/fetal_body.h"
 #include "core/phantom/fetal_head.h"
 #include "core/phantom/random_field.h"
@@ -16,7 +17,7 @@ using glm::vec3;
 float babySkin(const vec3& p, const HeadShape& shape, bool arm) {
   const vec3 unit = p / shape.size;
   float d = sdf::smoothMin(headSkin(p, shape), shape.size * bodySkin(unit), 5);
-  if (arm) d = sdf::smoothMin(d, shape.size * armSkin(unit), 1.2f);
+  if (arm) d = sdf::smoothMin(d, shape.size * firstArmSkin(unit), 1.2f);
   return d;
 }
 
