@@ -18,17 +18,12 @@ vec3 middleOf(const SurfacePoints& points) {
   return vec3(sum / double(points.size()));
 }
 
-// How good a hypothesis is once its relief is known.
-float worth(const FaceHypothesis& h, const FaceEvidence& e) {
-  return h.score * std::pow(std::max(e.relief, 0.f), 1.5f);
-}
-
-// Fitted by hand to 60 simulated heads turned by up to 60 degrees, 48 surfaces without a face, and four real scans.
+// Fitted by hand to 40 simulated heads turned by up to 60 degrees, 48 surfaces without a face, and four real scans.
 float confidenceOf(const FaceFit& fit) {
   const FaceEvidence& e = fit.evidence;
-  if (e.seen < 0.3f) return 0;
-  const float z = 18 * (e.relief - 0.5f) + 13 * (0.62f - fit.rival) + 4.5f * (std::min(e.gain, 1.f) - 0.6f) +
-                  9 * std::min(e.explained - 0.5f, 0.f) - 10 * e.against - 2;
+  if (e.seen < 0.45f) return 0;
+  const float z = 25 * (e.relief - 0.62f) + 16 * (0.62f - fit.rival) + 4 * (std::min(e.gain, 1.f) - 0.65f) +
+                  15 * std::min(e.explained - 0.6f, 0.f) - 0.3f;
   return 1 / (1 + std::exp(-z));
 }
 
@@ -52,22 +47,12 @@ FaceFit fitFace(const FaceInput& input, const FaceOptions& options, const Progre
   const vec3 toProbe(-input.beam.directionAt(glm::dvec3(middleOf(input.points))));
   const SizePrior size{float(options.headHeight) / kFirstHeight};
   const auto found = searchFaces(space, toProbe, size, progress.part(0.1, 1));
-  float best = -1, second = 0;
-  for (const FaceHypothesis& h : found) {
-    const FaceEvidence evidence = faceEvidence(h.face, space);
-    const float here = worth(h, evidence);
-    if (here <= best) {
-      second = std::max(second, here);
-      continue;
-    }
-    second = std::max(best, 0.f);
-    best = here;
-    fit.placement = h.face;
-    fit.evidence = evidence;
-    fit.score = h.score;
-  }
-  if (best <= 0) return fit;
-  fit.rival = second / best;
+  if (found.empty() || found[0].worth <= 0) return fit;
+  const FaceHypothesis& best = found[0];
+  fit.placement = best.face;
+  fit.evidence = best.evidence;
+  fit.score = best.score;
+  fit.rival = found.size() > 1 ? std::max(found[1].worth, 0.f) / best.worth : 0;
   fit.places = placesOf(fit.placement);
   for (vec3* place : {&fit.places.rightEye, &fit.places.leftEye, &fit.places.noseTip, &fit.places.mouthRight,
                       &fit.places.mouthLeft, &fit.places.chin})

@@ -13,7 +13,7 @@ namespace sonoskin {
 //   places       eyes (middle of the closed lids), tip of the nose, corners of the mouth, chin; on the surface where one
 //                is near; "right" and "left" are the baby's own, or the other way round in a mirrored recording
 //   up, front    unit: from the chin to the crown, and where the nose points
-//   headHeight   mm from the chin to the crown; the crown is rarely seen: to some percent
+//   headHeight   mm from the chin to the crown; the crown is rarely seen: to ten percent
 //   rival        score of the best other place beside that of this one
 struct FaceFit {
   float confidence = 0;

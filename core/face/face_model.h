@@ -30,7 +30,7 @@ struct FaceNeighbour {
 
 // FaceModel: the mean face of the family of heads (head_shape.h) and the main ways in which they differ.
 //   points   of every prefix are spread evenly, so that the first hundred do for a rough look
-//   inner    the points of eyes, nose, mouth and chin, with those around each for its relief
+//   inner    the points of eyes, nose and mouth, with those around each for its relief
 //   moves    how far landmarks move for one standard deviation of each mode
 struct FaceModel {
   struct Inner {

@@ -15,7 +15,7 @@ float faceScore(const FacePlacement& face, const FaceSpace& space, std::size_t p
 //   explained  has a surface near it with a normal that agrees
 //   seen       of eyes, nose and mouth: what has a surface at all
 //   against    lies in fluid that sound passed through
-//   relief     correlation of the model's relief in eyes, nose, mouth and chin with that of the surface, -1..1: the
+//   relief     correlation of the model's relief in eyes, nose and mouth with that of the surface, -1..1: the
 //              nose must be there, and the hollows beside it
 //   gain       how high the surface's relief is beside the model's
 //   residual   mm, root mean square of what is explained, along the normals

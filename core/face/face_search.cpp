@@ -16,7 +16,7 @@ using glm::vec3;
 constexpr std::size_t kRoughPoints = 96, kFairPoints = 200, kAllPoints = 100000;
 constexpr float kRoughWidth = 4, kFairWidth = 2.5f, kFineWidth = 1.5f;
 constexpr int kRolls = 20;
-constexpr std::size_t kRough = 400, kFair = 24, kFine = 8;
+constexpr std::size_t kRough = 400, kFair = 36, kFine = 8;
 const vec3 kAnchor(0, -12, 37);  // of the mean face, between the nose's wings: it lies on the surface
 
 // Start: a place of the surface, and where it looks.
@@ -100,20 +100,32 @@ void keepBest(std::vector<FaceHypothesis>& all, std::size_t count) {
   if (all.size() > count) all.resize(count);
 }
 
-bool alike(const FacePlacement& a, const FacePlacement& b) {
-  return glm::distance(a.toWorld(kAnchor), b.toWorld(kAnchor)) < 6 * a.scale &&
-         glm::dot(a.up(), b.up()) > 0.9f && glm::dot(a.front(), b.front()) > 0.9f;
+// Whether two faces are the same: by the place between the wings of the nose, in mm, and by cosines of up and front.
+bool alike(const FacePlacement& a, const FacePlacement& b, float apart, float cosine) {
+  return glm::distance(a.toWorld(kAnchor), b.toWorld(kAnchor)) < apart * a.scale &&
+         glm::dot(a.up(), b.up()) > cosine && glm::dot(a.front(), b.front()) > cosine;
 }
 
-void keepUnlike(std::vector<FaceHypothesis>& all, std::size_t count) {
-  keepBest(all, all.size());
+// Of `all`, best first, those that are like none before them.
+void keepUnlike(std::vector<FaceHypothesis>& all, std::size_t count, float apart, float cosine) {
   std::vector<FaceHypothesis> kept;
   for (const FaceHypothesis& h : all) {
     if (kept.size() == count) break;
-    if (std::none_of(kept.begin(), kept.end(), [&](const auto& k) { return alike(k.face, h.face); }))
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const auto& k) { return alike(k.face, h.face, apart, cosine); }))
       kept.push_back(h);
   }
   all = std::move(kept);
+}
+
+void weigh(std::vector<FaceHypothesis>& all, const FaceSpace& space, const vec3& toProbe) {
+  for (FaceHypothesis& h : all) {
+    h.evidence = faceEvidence(h.face, space);
+    const float facing = 0.6f + 0.4f * glm::dot(h.face.front(), toProbe);
+    const float relief = std::max(h.evidence.relief, 0.f);
+    h.worth = h.score * facing * relief * relief;
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.worth > b.worth; });
 }
 
 void refineAll(std::vector<FaceHypothesis>& all, const FaceSpace& space, const SizePrior& size,
@@ -145,9 +157,11 @@ std::vector<FaceHypothesis> searchFaces(const FaceSpace& space, const vec3& toPr
   for (const auto& some : tried) all.insert(all.end(), some.begin(), some.end());
   keepBest(all, kRough);
   refineAll(all, space, size, {6, kFairPoints, 8, 4, false}, kFairWidth, progress.part(0.4, 0.7));
-  keepUnlike(all, kFair);
+  keepBest(all, all.size());
+  keepUnlike(all, kFair, 4, 0.95f);
   refineAll(all, space, size, {12, kAllPoints, 6, 3, true}, kFineWidth, progress.part(0.7, 1));
-  keepUnlike(all, kFine);
+  weigh(all, space, toProbe);
+  keepUnlike(all, kFine, 6, 0.9f);
   return all;
 }
 

@@ -22,7 +22,7 @@ TEST(FaceModel, ItsPointsLieOnTheFrontOfTheFirstHead) {
     weights += double(point.weight);
   }
   EXPECT_NEAR(weights, 1, 1e-4);
-  EXPECT_GT(model.inner.size(), model.points.size() / 5);
+  EXPECT_GT(model.inner.size(), model.points.size() / 8);
 }
 
 TEST(FaceModel, EveryPrefixIsSpreadOverTheFace) {

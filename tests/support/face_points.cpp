@@ -16,8 +16,7 @@ using glm::vec3;
 
 float babySkin(const vec3& p, const HeadShape& shape, bool arm) {
   const vec3 unit = p / shape.size;
-  const float body = sdf::smoothMin(bodySkin(unit), rightArmSkin(unit), 4);
-  float d = sdf::smoothMin(headSkin(p, shape), shape.size * body, 5);
+  float d = sdf::smoothMin(headSkin(p, shape), shape.size * bodySkin(unit), 5);
   if (arm) d = sdf::smoothMin(d, shape.size * firstArmSkin(unit), 1.2f);
   return d;
 }
