@@ -24,7 +24,8 @@ std::vector<vec3> shownPoints(std::span<const vec3> points, const FaceFit* face)
   std::vector<vec3> shown;
   if (face) {
     const vec3 middle = face->placement.toWorld(vec3(0, 2, 12));
-    const float radius = 0.62f * face->headHeight;
+    // A face may be longer than the model's, with its mouth open.
+    const float radius = std::max(0.62f * face->headHeight, 1.3f * glm::distance(middle, face->places.chin));
     std::copy_if(points.begin(), points.end(), std::back_inserter(shown),
                  [&](const vec3& p) { return glm::distance(p, middle) < radius; });
   }

@@ -61,6 +61,14 @@ TEST(FaceView, FillsTheFrameWithTheHead) {
   EXPECT_FALSE(isTall(points, nullptr, beam)) << "all of it is nearly square";
 }
 
+TEST(FaceView, ShowsAChinThatLiesLow) {
+  FaceFit face = turnedFace(0);
+  const Camera usual = cameraOnFace(headAndBody(), &face, Beam{}, 1);
+  face.headHeight = 40;
+  face.places.chin = {0, -10, -35};
+  EXPECT_NEAR(cameraOnFace(headAndBody(), &face, Beam{}, 1).distance, usual.distance, 0.15f * usual.distance);
+}
+
 TEST(FaceView, ABodyWithoutPointsNearTheFaceIsShownWhole) {
   const FaceFit face = turnedFace(0);
   const std::vector<vec3> far{{500, 0, 0}, {520, 0, 10}};
