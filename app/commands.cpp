@@ -7,6 +7,7 @@
 #include <cassert>
 #include <string_view>
 
+#include "app/part_edits.h"
 #include "app/workspace.h"
 
 namespace sonoskin {
@@ -54,12 +55,33 @@ void scaleBrush(W& w, double factor) {
   w.view.brushRadius = std::clamp(w.view.brushRadius * factor, kLeastBrush, kMostBrush);
 }
 
+bool canShowParts(const W& w) { return hasMesh(w) && hasParts(w.session.results()); }
+
+void toggleParts(W& w) {
+  w.view.parts = !w.view.parts;
+  if (w.view.parts) w.view.content = SpaceContent::mesh;
+}
+
+void leaveFaceAlone(W& w) {
+  w.session.editParts(faceAlone(w.session.results(), w.session.parameters().mesh));
+}
+
+void proposeParts(W& w) {
+  MeshOptions mesh = w.session.parameters().mesh;
+  const MeshOptions none{};
+  mesh.parts = none.parts;
+  mesh.companions = none.companions;
+  mesh.partsAdd = mesh.partsDrop = mesh.partsCut = {};
+  w.session.editParts(mesh);
+}
+
 bool showsSkin(const W& w) {
   return w.view.content == SpaceContent::mesh && w.view.meshStyle == MeshStyle::skin && hasMesh(w);
 }
 
 void showMesh(W& w, MeshStyle style) {
   w.view.content = SpaceContent::mesh;
+  w.view.parts = false;
   w.view.meshStyle = style;
 }
 
@@ -69,6 +91,8 @@ void stop(W& w) {
     w.view.skin.placing.reset();
   } else if (w.view.erasing && !w.session.activity().blocking) {
     w.view.erasing = false;
+  } else if (w.view.parts && !w.session.activity().blocking) {
+    w.view.parts = false;
   } else if (busy(w)) {
     w.session.cancel();
   } else {
@@ -150,7 +174,11 @@ const Command kCommands[] = {
    [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
    [](const W& w) { return w.session.followsParameters(); }},
   {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
-   [](const W& w) { return busy(w) || w.view.erasing || w.view.maximised || w.view.skin.placing; }},
+   [](const W& w) { return busy(w) || w.view.erasing || w.view.parts || w.view.maximised || w.view.skin.placing; }},
+  {"surface.parts", "Parts in colours", Menu::surface, key(GLFW_KEY_P), toggleParts, canShowParts,
+   [](const W& w) { return w.view.parts; }, true},
+  {"surface.faceAlone", "The face alone", Menu::surface, {}, leaveFaceAlone, canShowParts},
+  {"surface.proposeParts", "Parts as proposed", Menu::surface, {}, proposeParts, canShowParts},
 
   {"help.keys", "Mouse and keys", Menu::help, key(GLFW_KEY_H), [](W& w) { w.keysShown = !w.keysShown; }},
   {"help.about", "About Sonoskin", Menu::help, {}, [](W& w) { w.aboutShown = true; }},

@@ -88,6 +88,15 @@ void Session::showVersion() {
   show(history_.current().parameters);
 }
 
+void Session::editParts(const MeshOptions& mesh) {
+  Parameters parameters = parameters_;
+  parameters.mesh = mesh;
+  const bool changes = !(meshKey(parameters) == meshKey(parameters_));
+  edit(parameters);
+  commitEdit();
+  if (changes && results_.mesh && !mayFollow()) update(Goal::surface);
+}
+
 void Session::undo() {
   commitEdit();
   history_.undo();

@@ -56,6 +56,8 @@ class Session {
   const Parameters& parameters() const { return parameters_; }
   void edit(const Parameters& parameters);
   void commitEdit();
+  // editParts: other parts of the surface, as one step for undo; the mesh follows whatever followsParameters() says.
+  void editParts(const MeshOptions& mesh);
   bool canUndo() const { return history_.canUndo(); }
   bool canRedo() const { return history_.canRedo(); }
   void undo();

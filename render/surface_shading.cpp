@@ -21,6 +21,8 @@ const char* defineOf(MeshLook look) {
       return "SKIN";
     case MeshLook::amber:
       return "AMBER";
+    case MeshLook::parts:
+      return "PARTS";
   }
   return "";
 }

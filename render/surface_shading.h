@@ -10,8 +10,9 @@
 
 namespace sonoskin {
 
-// MeshLook: what a surface looks like: neutral clay, skin, or the amber of ultrasound pictures.
-enum class MeshLook { clay, skin, amber };
+// MeshLook: what a surface looks like: neutral clay, skin, the amber of ultrasound pictures, or the colours of its parts
+// (makePartsMesh).
+enum class MeshLook { clay, skin, amber, parts };
 
 // The descriptions of the targets that surfaces are drawn into; shaders/surface/shade.frag tells what they hold.
 gl::FramebufferDescription surfaceBuffer();
@@ -66,7 +67,7 @@ class SurfaceShading {
   gl::Program& shadeProgram(MeshLook look, int samplesPerSide);
 
   gl::Program occlusionProgram_;
-  std::array<std::unique_ptr<gl::Program>, 6> shadePrograms_;  // compiled when first needed
+  std::array<std::unique_ptr<gl::Program>, 8> shadePrograms_;  // compiled when first needed
   gl::Framebuffer occlusion_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 struct MouseLine {
   const char *where, *what, *effect;
 };
-constexpr std::array<MouseLine, 18> kMouse{{
+constexpr std::array<MouseLine, 21> kMouse{{
     {"Slices", "Left button", "move the cross-hair"},
     {"", "Wheel", "next slice"},
     {"", "Ctrl+wheel", "zoom"},
@@ -25,6 +25,9 @@ constexpr std::array<MouseLine, 18> kMouse{{
     {"3D", "Left", "rotate"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right or wheel", "zoom"},
+    {"Parts", "Click", "take a part away, or bring it back"},
+    {"", "Shift+click", "leave that part alone"},
+    {"", "Ctrl+left", "draw a line that splits a part"},
     {"Skin", "Left on the lamp", "move the light; beyond the rim: behind"},
     {"", "Wheel on the lamp", "its distance, if it is near or inside"},
     {"", "Left on the dividing line", "move it, where two pictures are compared"},

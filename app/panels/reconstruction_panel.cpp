@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/commands.h"
@@ -36,7 +37,11 @@ void drawMeshFacts(const Session& session) {
   if (!results.mesh) return;
   fact("Triangles", grouped(results.mesh->triangles.size()));
   fact("Area", fmt::format("{} mm²", grouped(static_cast<std::size_t>(session.meshArea() + 0.5))));
-  if (results.pieces && results.pieces->size() > 1) {
+  if (results.verdicts) {
+    const auto kept = std::count_if(results.verdicts->begin(), results.verdicts->end(),
+                                    [](const PartVerdict& v) { return v.kept; });
+    fact("Parts", fmt::format("{}, {} shown (P)", results.verdicts->size(), kept));
+  } else if (results.pieces && results.pieces->size() > 1) {
     fact("Pieces", fmt::format("{}, one is shown", results.pieces->size()));
   }
   if (!session.meshIsCurrent()) {

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/theme.h"
 #include "app/widgets/layout.h"
@@ -84,6 +85,12 @@ void drawViewPanel(Workspace& workspace) {
     noteWidget("view.unmeasured");
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("Greyed: closed holes, and the border, where points grow sparse.");
+    rowLabel("");
+    const Command& parts = command("surface.parts");
+    const DisabledIf none(!isEnabled(parts, workspace));
+    bool shown = view.parts;
+    if (ImGui::Checkbox(parts.title, &shown)) parts.run(workspace);
+    noteWidget(parts.id);
   }
   ImGui::EndTable();
 }

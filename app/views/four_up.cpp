@@ -33,8 +33,8 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
     drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
   }
   endPane();
-  const bool dabs =
-      workspace.view.erasing && which != Pane::space;  // the eraser's, quickly one after the other
+  // Of a tool, quickly one after the other.
+  const bool dabs = which == Pane::space ? showsParts(workspace) : workspace.view.erasing;
   if (pane.doubleClicked && !dabs) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();

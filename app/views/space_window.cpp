@@ -26,7 +26,9 @@ bool showsMesh(const Workspace& w) {
   return w.view.content == SpaceContent::mesh && w.session.results().mesh;
 }
 
-bool wantsSkin(const Workspace& w) { return showsMesh(w) && w.view.meshStyle == MeshStyle::skin; }
+bool wantsSkin(const Workspace& w) {
+  return showsMesh(w) && !showsParts(w) && w.view.meshStyle == MeshStyle::skin;
+}
 
 std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
   const auto& classified = w.session.results().classified;
@@ -42,7 +44,8 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   hasher.addBytes(&v.camera.up, sizeof v.camera.up).add(v.camera.distance).add(v.camera.fieldOfView);
   hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle).add(v.unmeasured);
   if (showsMesh(w)) {
-    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get()));
+    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get())).add(showsParts(w));
+    if (showsParts(w)) hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().verdicts.get()));
     if (wantsSkin(w)) window.skin.addTo(hasher, w);
   } else {
     hasher.add(shownLevel(v, w.session.results())).add(v.volumeLayer).add(v.crop);
@@ -56,12 +59,15 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
 
 void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const gl::Target& target) {
   if (!window.meshView) window.meshView.emplace();
-  window.mesh.set(w.session.results().mesh);
-  MeshViewInput input{
-      .mesh = window.mesh, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
-  input.look = w.view.meshStyle == MeshStyle::clay ? MeshLook::clay : MeshLook::skin;
+  const bool parts = showsParts(w);
+  if (!parts) window.mesh.set(w.session.results().mesh);
+  const GpuMesh& mesh = parts ? window.parts.meshFor(w.session.results()) : window.mesh;
+  MeshViewInput input{.mesh = mesh, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
+  input.look = parts                                 ? MeshLook::parts
+               : w.view.meshStyle == MeshStyle::clay ? MeshLook::clay
+                                                     : MeshLook::skin;
   input.supersampling = supersampling;
-  input.unseenShade = w.view.unmeasured ? 1 : 0;
+  input.unseenShade = w.view.unmeasured && !parts ? 1 : 0;
   window.meshView->draw(input, target);
 }
 
@@ -159,6 +165,7 @@ std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
 
 std::string caption(const SpaceWindow& window, const Workspace& w) {
   const ViewState& v = w.view;
+  if (showsParts(w)) return partCaption(w);
   if (showsMesh(w)) return meshCaption(window, w);
   const char* layer = v.volumeLayer == VolumeLayer::raw ? "Raw volume" : "Classified volume";
   const bool coarse = v.volumeLayer == VolumeLayer::classified && w.session.classifiedIsCoarse();
@@ -240,7 +247,9 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (skin) {
     for (const std::string& failure : window.skin.update(workspace)) workspace.toasts.add(failure, true);
   }
-  const PaneInput rest = skin ? useSkinTools(window.skinTools, workspace, pane) : pane;
+  const PaneInput rest = skin                    ? useSkinTools(window.skinTools, workspace, pane)
+                         : showsParts(workspace) ? usePartTools(window.partTools, workspace, pane)
+                                                 : pane;
   if (steer(workspace.view.camera, rest)) workspace.view.cameraMoved = true;
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   const bool lighting = skin && window.skin.shows(workspace) && !window.skin.complete();
@@ -256,6 +265,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   if (skin) drawSkinMarks(window.skinTools, workspace, pane);
+  if (showsParts(workspace)) drawPartMarks(window.partTools, pane);
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "app/views/pane.h"
+#include "app/views/part_tools.h"
+#include "app/views/parts_scene.h"
 #include "app/views/skin_scene.h"
 #include "app/views/skin_tools.h"
 #include "app/workspace.h"
@@ -31,6 +33,8 @@ struct SpaceWindow {
   GpuMesh mesh;
   SkinScene skin;
   SkinTools skinTools;
+  PartsScene parts;
+  PartTools partTools;
   gl::Framebuffer picture;
   Key drawn;                      // of what the picture shows
   double secondsPerPixel = 1e-6;  // of the last draw

@@ -27,21 +27,22 @@ PartedSurface partSurface(const std::vector<Mesh>& pieces, const MeshOptions& op
 
 KeptParts keepAsAsked(const PartedSurface& surface, const MeshOptions& options, const PartView& view,
                       const Progress& progress) {
+  PartView asked = view;
+  for (const auto& place : options.partsDrop)
+    asked.dropped.push_back(partAt(surface.mesh, surface.parts, vec(place)));
   KeptParts result;
-  result.verdicts = chooseParts(surface.mesh, surface.parts, view);
-  if (options.parts == PartsChoice::all)
-    for (PartVerdict& v : result.verdicts)
-      if (!v.kept) v.kept = true, v.reason = PartReason::all;
+  result.verdicts = chooseParts(surface.mesh, surface.parts, asked);
   progress.update(0.4);
-  for (const auto& place : options.partsAdd) {
-    PartVerdict& v = result.verdicts[partAt(surface.mesh, surface.parts, vec(place))];
-    if (!v.kept) v.kept = true, v.reason = PartReason::asked;
-  }
-  for (const auto& place : options.partsDrop) {
-    PartVerdict& v = result.verdicts[partAt(surface.mesh, surface.parts, vec(place))];
-    v.kept = false;
-    v.reason = PartReason::dropped;
-  }
+  const auto bringBack = [](PartVerdict& v, PartReason reason) {
+    if (!v.kept && v.reason != PartReason::dropped) v.kept = true, v.reason = reason;
+  };
+  if (options.parts == PartsChoice::all)
+    for (PartVerdict& v : result.verdicts) {
+      bringBack(v, PartReason::all);
+      v.proposed = true;
+    }
+  for (const auto& place : options.partsAdd)
+    bringBack(result.verdicts[partAt(surface.mesh, surface.parts, vec(place))], PartReason::asked);
   result.mesh = keepParts(surface.mesh, surface.parts, result.verdicts, progress.part(0.5, 1));
   require(!result.mesh.empty(), "every part of the surface is taken away: bring one back (mesh.partsDrop)");
   return result;

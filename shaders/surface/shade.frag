@@ -1,12 +1,15 @@
 // From a surface buffer (normals and depth, several samples per pixel) to an sRGB picture. Pixels whose samples
 // lie on one smooth piece of the surface are shaded once, the others once per sample.
-// Variants: SKIN, AMBER (a volume's surface), or neutral clay; SAMPLES (per pixel, along one side).
+// Variants: SKIN, AMBER (a volume's surface), PARTS (w tells colours of parts), or neutral clay; SAMPLES (per pixel, along one side).
 #include "common/colour.glsl"
 #include "common/lighting.glsl"
 #include "common/noise.glsl"
 #include "common/occlusion.glsl"
 #include "common/outline.glsl"
 #include "common/screen.glsl"
+#if defined(PARTS)
+#include "surface/part_colours.glsl"
+#endif
 
 in vec2 uv;
 
@@ -55,6 +58,9 @@ vec3 shade(vec3 position, vec3 normal, float seen, vec2 light) {
   vec3 toEye = normalize(eye - position);
   bool inner = seen < 0.0;
   vec3 albedo = skinAlbedo;
+#if defined(PARTS)
+  albedo = partColour(inner ? -1.0 - seen : seen);
+#endif
   float unseen = unseenShade * (1.0 - (inner ? 1.0 : seen));
   albedo = mix(albedo, vec3(luminance(albedo)) * vec3(0.55, 0.6, 0.7), unseen);
   vec3 key = keyColour * pow(vec3(light.y), shadowPower);
@@ -79,18 +85,22 @@ void main() {
   float depths[n];
   vec4 meanSurface = vec4(0.0);
   float meanDepth = 0.0, least = 1.0, most = 0.0;
+  bool oneColour = true;
   for (int i = 0; i < n; ++i) {
     ivec2 texel = pixel * SAMPLES + ivec2(i % SAMPLES, i / SAMPLES);
     depths[i] = texelFetch(depthMap, texel, 0).r;
     surfaces[i] = texelFetch(normalMap, texel, 0);
     surfaces[i].xyz *= inversesqrt(max(dot(surfaces[i].xyz, surfaces[i].xyz), 1e-12));
     meanSurface += surfaces[i] / float(n);
+#if defined(PARTS)
+    oneColour = oneColour && surfaces[i].w == surfaces[0].w;
+#endif
     meanDepth += depths[i] / float(n);
     least = min(least, depths[i]);
     most = max(most, depths[i]);
   }
   bool empty = least >= 1.0;
-  bool smoothPiece = most < 1.0 && dot(meanSurface.xyz, meanSurface.xyz) > 0.94 &&
+  bool smoothPiece = oneColour && most < 1.0 && dot(meanSurface.xyz, meanSurface.xyz) > 0.94 &&
                      distanceOf(most) - distanceOf(least) < 0.01 * distanceOf(least);
   float height = uv.y + 0.25 * (uv.x - 0.5) * (uv.x - 0.5);
   vec3 background = mix(backgroundBottom, backgroundTop, smoothstep(0.0, 1.0, height));

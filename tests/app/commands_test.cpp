@@ -29,14 +29,15 @@ TEST(Commands, PromisedKeys) {
       {"file.open", "Ctrl+O"},   {"file.saveMesh", "Ctrl+S"},
       {"edit.undo", "Ctrl+Z"},   {"edit.redo", "Ctrl+Shift+Z"},
       {"view.resetCamera", "R"}, {"file.savePicture", "F12"},
-      {"help.keys", "H"},        {"surface.cancel", "Esc"}};
+      {"help.keys", "H"},        {"surface.parts", "P"},
+      {"surface.cancel", "Esc"}};
   for (const auto& [id, keys] : promised) EXPECT_EQ(shortcutText(command(id).shortcut), keys) << id;
 }
 
 TEST(Commands, NothingThatNeedsAScanWithoutOne) {
   const Workspace workspace{Parameters()};
   for (const char* id : {"file.saveMesh", "file.savePrint", "file.savePicture", "view.resetCamera",
-                         "surface.reconstruct", "edit.undo"}) {
+                         "surface.reconstruct", "edit.undo", "surface.parts", "surface.faceAlone"}) {
     EXPECT_FALSE(isEnabled(command(id), workspace)) << id;
   }
   EXPECT_TRUE(isEnabled(command("file.open"), workspace));

@@ -107,6 +107,8 @@ TEST_F(ChooseParts, PlacesBringPartsBackAndTakeThemAway) {
   EXPECT_TRUE(kept(kFar).kept);
   EXPECT_EQ(kept(kHand).reason, PartReason::dropped);
   EXPECT_FALSE(kept(kHand).kept);
+  EXPECT_TRUE(kept(kHand).proposed);
+  EXPECT_FALSE(kept(kFar).proposed);
   EXPECT_EQ(kept(kHead).reason, PartReason::face);
   options.parts = PartsChoice::all;
   EXPECT_EQ(kept(kSheet).reason, PartReason::all);

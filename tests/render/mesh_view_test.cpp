@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "render/gl/read_pixels.h"
+#include "render/parts_mesh.h"
 #include "render/pictures.h"
 #include "tests/render/support/gl_test.h"
 
@@ -66,6 +69,35 @@ TEST_F(MeshViewTest, WhatWasNotMeasuredIsGreyedWhereAskedFor) {
   // Seen from the front, the left of the baby (x > 5) is on the right.
   EXPECT_EQ(redness(marked, 80 - 20), redness(plain, 80 - 20));
   EXPECT_LT(redness(marked, 80 + 20), redness(plain, 80 + 20) - 20);
+}
+
+// A ball in two parts: blue in front, the other one dim; no third colour between them.
+TEST_F(MeshViewTest, PartsHaveTheirColours) {
+  const Mesh ball = sphereMesh({5, -3, 8}, 10);
+  std::vector<std::uint32_t> part;
+  for (const Triangle& t : ball.triangles) part.push_back(ball.positions[t[0]].x < 5 ? 0 : 1);
+  PictureOptions options;
+  options.size = {160, 120};
+  options.camera = "front";
+  const auto draw = [&](bool dimmed) {
+    const Mesh shown = makePartsMesh(ball, part, {{1, false}, {2, dimmed}});
+    return pictureOfMesh(context(), std::make_shared<Mesh>(shown), MeshLook::parts, options);
+  };
+  const Image bright = draw(false), dim = draw(true);
+  int blue = 0, green = 0, dimmer = 0, other = 0;
+  for (std::size_t i = 0; i < bright.rgba.size(); i += 4) {
+    const int r = bright.rgba[i], g = bright.rgba[i + 1], b = bright.rgba[i + 2];
+    const int spread = std::max({r, g, b}) - std::min({r, g, b});
+    if (spread < 60) continue;
+    blue += b > g + 20 && g > r;
+    green += g > r + 20 && g > b;
+    other += r > g || (g > b && b > g - 15);
+    dimmer += g > b && dim.rgba[i + 1] < g - 30;
+  }
+  EXPECT_GT(blue, 1000);
+  EXPECT_GT(green, 1000);
+  EXPECT_LT(other, 150);
+  EXPECT_GT(dimmer, green * 8 / 10);
 }
 
 TEST_F(MeshViewTest, SamePictureAgain) { EXPECT_EQ(draw(MeshLook::skin).rgba, draw(MeshLook::skin).rgba); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/mesh/point_grid.h"
 #include "core/mesh/view_shares.h"
@@ -11,14 +10,14 @@ namespace sonoskin {
 namespace {
 
 constexpr double kNear = 20, kTouching = 3;  // mm between parts
-constexpr double kSeen = 0.025,
-                 kSeenMiddle = 0.01;  // shares of the view, and of its middle, below which a part is hidden
-constexpr double kLeastArea = 40;     // mm²
-constexpr double kJoins = 0.8;        // border with what is kept, by the root of the part's area
-constexpr double kStrand = 1 / 5.5;   // 1/mm: curvature of strands 5.5 mm thick
-constexpr double kFlat = 1 / 250.0;   // 1/mm: below it a sheet is flat or hollow
-constexpr double kHead = 0.012, kLimb = 0.06;  // 1/mm: curvatures of heads lie between
-constexpr double kWallShare = 0.3;             // of the face's area, from which a sheet is a wall
+// Shares of the view, and of its middle, below which a part is hidden.
+constexpr double kSeen = 0.025, kSeenMiddle = 0.01;
+constexpr double kLeastArea = 40, kScrap = 300;  // mm²
+constexpr double kJoins = 0.8;                   // border with what is kept, by the root of the part's area
+constexpr double kStrand = 1 / 5.5;              // 1/mm: curvature of strands 5.5 mm thick
+constexpr double kFlat = 1 / 250.0;              // 1/mm: below it a sheet is flat or hollow
+constexpr double kHead = 0.012, kLimb = 0.06;    // 1/mm: curvatures of heads lie between
+constexpr double kWallShare = 0.3;               // of the face's area, from which a sheet is a wall
 
 // How much a part bulges like a head: 0.3 to 1.
 double headLike(const Part& part) {
@@ -30,7 +29,7 @@ double headLike(const Part& part) {
 // Neighbours: how near the parts are to those that are kept.
 class Neighbours {
  public:
-  Neighbours(const SurfaceParts& parts)
+  explicit Neighbours(const SurfaceParts& parts)
       : graph_(parts.graph),
         part_(graph_.size(), 0),
         patches_(parts.parts.size()),
@@ -42,17 +41,17 @@ class Neighbours {
 
   const std::vector<std::uint32_t>& patches(std::size_t part) const { return patches_[part]; }
 
-  // The length of a part's border with those that are kept, mm.
-  double border(std::size_t part, const std::vector<PartVerdict>& verdicts) const {
+  // The length of a part's border with those that count, mm.
+  double border(std::size_t part, const std::vector<bool>& counts) const {
     double length = 0;
     for (const std::uint32_t p : patches_[part])
       for (std::uint32_t i = graph_.patches.start[p]; i < graph_.patches.start[p + 1]; ++i)
-        if (verdicts[part_[graph_.patches.neighbours[i]]].kept) length += double(graph_.border[i]);
+        if (counts[part_[graph_.patches.neighbours[i]]]) length += double(graph_.border[i]);
     return length;
   }
 
-  // Whether a part comes nearer than `reach` mm to one that is kept.
-  bool isNear(std::size_t part, double reach, const std::vector<PartVerdict>& verdicts) const {
+  // Whether a part comes nearer than `reach` mm to one that counts.
+  bool isNear(std::size_t part, double reach, const std::vector<bool>& counts) const {
     const float r = float(reach);
     for (const std::uint32_t p : patches_[part]) {
       const glm::vec3& from = graph_.patches.centre[p];
@@ -61,7 +60,7 @@ class Neighbours {
         for (std::uint32_t s = first; s < last && !found; ++s) {
           const std::uint32_t other = grid_.order()[s];
           const glm::vec3 away = graph_.patches.centre[other] - from;
-          found = verdicts[part_[other]].kept && glm::dot(away, away) < r * r;
+          found = counts[part_[other]] && glm::dot(away, away) < r * r;
         }
       });
       if (found) return true;
@@ -110,21 +109,21 @@ bool isWall(const Part& part, const Part& face, const Beam& beam) {
          depthOf(part, beam) < depthOf(face, beam);
 }
 
-// Why a part stays or goes, beside what is kept so far.
+// Why a part stays or goes, beside those that count so far.
 PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours& all, const Part& face,
-                     const PartView& view, const std::vector<PartVerdict>& verdicts) {
+                     const PartView& view, const PartVerdict& shown, const std::vector<bool>& counts) {
   const Part& part = parts.parts[p];
-  const double share = verdicts[p].share;
-  if (verdicts[p].seen < kSeen && share < kSeenMiddle) return PartReason::hidden;
+  const double share = shown.share;
+  if (shown.seen < kSeen && share < kSeenMiddle) return PartReason::hidden;
   if (isWall(part, face, view.beam)) return PartReason::wall;
   if (part.area < kLeastArea) return PartReason::debris;
-  if (!all.isNear(p, kNear, verdicts)) return PartReason::far;
-  if (share >= view.companions) return PartReason::beside;
+  if (!all.isNear(p, kNear, counts)) return PartReason::far;
   if (view.companions >= 1) return PartReason::hidden;
+  if (share >= view.companions) return PartReason::beside;
   if (part.curvature > kStrand) return PartReason::debris;
-  const bool joins = all.border(p, verdicts) > kJoins * std::sqrt(part.area) ||
-                     (all.border(p, verdicts) == 0 && all.isNear(p, kTouching, verdicts));
-  return joins ? PartReason::joins : PartReason::debris;
+  const bool joins = all.border(p, counts) > kJoins * std::sqrt(part.area) ||
+                     (all.border(p, counts) == 0 && all.isNear(p, kTouching, counts));
+  return joins ? PartReason::joins : part.area < kScrap ? PartReason::debris : PartReason::aside;
 }
 
 }  // namespace
@@ -139,18 +138,25 @@ std::vector<PartVerdict> chooseParts(const Mesh& mesh, const SurfaceParts& parts
     verdicts[p].share = shown.centred[p] / std::max(shown.centred[face], 1e-9);
     verdicts[p].seen = shown.seen[p] / std::max(shown.seen[face], 1e-9);
   }
-  verdicts[face].kept = true;
+  std::vector<bool> dropped(verdicts.size(), false), counts(verdicts.size(), false);
+  for (const std::uint32_t p : view.dropped) dropped[p] = true;
   verdicts[face].reason = PartReason::face;
+  verdicts[face].isFace = verdicts[face].proposed = true;
+  counts[face] = true;  // it is the measure of the others even where it is taken away
   // Each part that is kept may bring others near; the larger come first.
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t p = 0; p < verdicts.size(); ++p) {
-      if (verdicts[p].kept) continue;
-      const PartReason reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts);
-      verdicts[p].reason = reason;
-      verdicts[p].kept = reason == PartReason::beside || reason == PartReason::joins;
-      grown |= verdicts[p].kept;
+      if (verdicts[p].proposed) continue;
+      verdicts[p].reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts[p], counts);
+      if (verdicts[p].reason != PartReason::beside && verdicts[p].reason != PartReason::joins) continue;
+      verdicts[p].proposed = grown = true;
+      counts[p] = !dropped[p];
     }
+  }
+  for (std::size_t p = 0; p < verdicts.size(); ++p) {
+    verdicts[p].kept = verdicts[p].proposed && !dropped[p];
+    if (dropped[p]) verdicts[p].reason = PartReason::dropped;
   }
   return verdicts;
 }

@@ -20,18 +20,21 @@ struct FaceSite {
 // PartReason: why a part is kept or off.
 //   face      it is the face's; beside, joins: it belongs to the baby, see chooseParts; asked: a person brought it back;
 //             all: every part is kept
-//   hidden    the probe sees little of it; debris: too small, or strands; far: nothing that is kept is near; wall: a flat or
+//   hidden    the probe sees little of it; debris: too small, or strands; aside: little of it
+//             lies in the middle of the view, and it joins nothing; far: nothing that is kept is near; wall: a flat or
 //             hollow sheet before the face; dropped: a person took it away
-enum class PartReason { face, beside, joins, asked, all, hidden, debris, far, wall, dropped };
-constexpr std::array<const char*, 10> enumNames(PartReason) {
-  return {"face", "beside", "joins", "asked", "all", "hidden", "debris", "far", "wall", "dropped"};
+enum class PartReason { face, beside, joins, asked, all, hidden, debris, aside, far, wall, dropped };
+constexpr std::array<const char*, 11> enumNames(PartReason) {
+  return {"face", "beside", "joins", "asked", "all", "hidden", "debris", "aside", "far", "wall", "dropped"};
 }
 
 // PartVerdict: whether a part is kept, and why.
+//   proposed  whether it would be kept if nobody had asked for it or taken it away
+//   isFace    it is the face's part, kept or not
 //   share   of the middle of the probe's view that the part fills, as a share of what the face's part fills; seen: of all
 //           of the view (viewShares)
 struct PartVerdict {
-  bool kept = false;
+  bool kept = false, proposed = false, isFace = false;
   PartReason reason = PartReason::hidden;
   double share = 0, seen = 0;
 };
@@ -39,11 +42,13 @@ struct PartVerdict {
 // PartView: what the choice of parts is made from.
 //   middle      a point on the middle beam, mm
 //   companions  share of the view from which a part beside the face's is kept
+//   dropped     parts that a person took away: they bring no others near
 struct PartView {
   Beam beam;
   glm::dvec3 middle{0};
   double companions = 0.08;
   std::optional<FaceSite> face = {};
+  std::vector<std::uint32_t> dropped = {};
 };
 
 // chooseParts: which parts are the face and what belongs to the baby.

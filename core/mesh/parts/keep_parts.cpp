@@ -58,7 +58,8 @@ Mesh keepParts(const Mesh& mesh, const SurfaceParts& parts, const std::vector<Pa
     values[v] = float(side[v] == 2 ? -1 : side[v]) * (ring[v] > rings ? kFixed : kSmoothed);
   // n steps spread a value over sqrt(n / 2) edges: two thirds of the band.
   const int steps = std::clamp(int(double(rings) * double(rings)), 4, kMostSteps);
-  values = smoothAlong(VertexRings(mesh), std::move(values), 0.5f * (kFixed + kSmoothed), steps, progress.part(0.2, 0.8));
+  values = smoothAlong(VertexRings(mesh), std::move(values), 0.5f * (kFixed + kSmoothed), steps,
+                       progress.part(0.2, 0.8));
   return clipMesh(mesh, values);
 }
 
