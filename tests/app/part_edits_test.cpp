@@ -18,14 +18,19 @@ using test::solid;
 struct PartEdits : testing::Test {
   const std::vector<Mesh> pieces{solid(
       [](const glm::dvec3& x) {
-        return std::min({ball(x, {0, 0, 0}, 28), ball(x, {40, 0, 0}, 16), rod(x, {0, 0, 0}, {44, 0, 0}, 1.5),
-                         ball(x, {0, 90, 0}, 12)});
+        return std::min({ball(x, {0, 0, 0}, 28), ball(x, {46, 0, 0}, 16), rod(x, {0, 0, 0}, {46, 0, 0}, 1.5),
+                         ball(x, {0, 60, 0}, 12)});
       },
-      {58, 76, 30}, 1.0)};
+      {64, 76, 30}, 1.0)};
   const PartView view{Beam{{}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 0.08, {}, {}};
-  MeshOptions options;
+  MeshOptions options = withCompanions(0.05);
   Results results = make(options);
 
+  static MeshOptions withCompanions(double share) {
+    MeshOptions o;
+    o.companions = share;
+    return o;
+  }
   Results make(const MeshOptions& o) const {
     Results made;
     made.parts = std::make_shared<const PartedSurface>(partSurface(splitPieces(pieces[0]), o));
@@ -51,7 +56,7 @@ struct PartEdits : testing::Test {
   }
 };
 
-const glm::vec3 kFace{1.3f, -80, 0.7f}, kHand{41.3f, -80, 0.7f}, kBehind{1.3f, 40, 0.7f};
+const glm::vec3 kFace{1.3f, -80, 0.7f}, kHand{47.3f, -80, 0.7f}, kBehind{1.3f, 40, 0.7f};
 
 TEST_F(PartEdits, AClickTakesAwayAndBringsBackWithoutATrace) {
   ASSERT_TRUE(isKept(kFace) && isKept(kHand) && !isKept(kBehind));
