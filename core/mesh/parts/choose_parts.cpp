@@ -15,9 +15,11 @@ constexpr double kSeen = 0.025, kSeenMiddle = 0.01;
 constexpr double kLeastArea = 40, kScrap = 300;  // mm²
 constexpr double kJoins = 0.8;                   // border with what is kept, by the root of the part's area
 constexpr double kStrand = 1 / 5.5;              // 1/mm: curvature of strands 5.5 mm thick
-constexpr double kFlat = 1 / 250.0;              // 1/mm: below it a sheet is flat or hollow
-constexpr double kHead = 0.012, kLimb = 0.06;    // 1/mm: curvatures of heads lie between
-constexpr double kWallShare = 0.3;               // of the face's area, from which a sheet is a wall
+// Of the parts of arms and hands: the share of the view, and the curvatures, 1/mm.
+constexpr double kLimbSeen = 0.05, kRoundest = 1 / 60.0, kThinnest = 1 / 8.0;
+constexpr double kFlat = 1 / 250.0;            // 1/mm: below it a sheet is flat or hollow
+constexpr double kHead = 0.012, kLimb = 0.06;  // 1/mm: curvatures of heads lie between
+constexpr double kWallShare = 0.3;             // of the face's area, from which a sheet is a wall
 
 // How much a part bulges like a head: 0.3 to 1.
 double headLike(const Part& part) {
@@ -119,10 +121,12 @@ PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours&
   if (part.area < kLeastArea) return PartReason::debris;
   if (!all.isNear(p, kNear, counts)) return PartReason::far;
   if (view.companions >= 1) return PartReason::hidden;
-  if (share >= view.companions) return PartReason::beside;
+  if (std::max(share, 0.5 * shown.seen) >= view.companions) return PartReason::beside;
   if (part.curvature > kStrand) return PartReason::debris;
-  const bool joins = all.border(p, counts) > kJoins * std::sqrt(part.area) ||
-                     (all.border(p, counts) == 0 && all.isNear(p, kTouching, counts));
+  const double border = all.border(p, counts);
+  const bool touches = border > 0 || all.isNear(p, kTouching, counts);
+  const bool limb = shown.seen >= kLimbSeen && part.curvature > kRoundest && part.curvature < kThinnest;
+  const bool joins = border > kJoins * std::sqrt(part.area) || (touches && (border == 0 || limb));
   return joins ? PartReason::joins : part.area < kScrap ? PartReason::debris : PartReason::aside;
 }
 

@@ -53,9 +53,11 @@ struct PartView {
 
 // chooseParts: which parts are the face and what belongs to the baby.
 //   method   The face's part fills most of the middle of the probe's view and bulges like a head; where a face was found it is
-//            the part with most area around that. Beside it stays what fills `companions` of that view and lies within 20 mm
+//            the part with most area around that. Beside it stays what fills `companions` of that middle, or twice that of
+//            all of the view, and lies within 20 mm
 //            of what is kept, without a flat or hollow sheet before the face: a wall, a placenta. What fills little of the
-//            view stays if it joins what is kept along a long border or a narrow gap and is no strand, unless `companions`
+//            view stays if it joins what is kept along a long border or a narrow gap, or touches it and is
+//            round as limbs are, and is no strand, unless `companions`
 //            is 1, which leaves the face alone.
 //   output   one per part
 //   cost     O(n); 400k triangles in 0.04 s

@@ -60,7 +60,7 @@ class RegionGraph {
       if (into_[best.a] != kNone || into_[best.b] != kNone) continue;
       if (best.versions != version_[best.a] + version_[best.b]) continue;
       const Border& border = borders_[best.a].at(best.b);
-      if (!mayJoin(best.a, best.b, border, longestContact(border))) continue;
+      if (!mayJoin(best.a, best.b, border, contactLength(border))) continue;
       join(best.a, best.b);
     }
   }
@@ -113,12 +113,12 @@ class RegionGraph {
     return border.crease / border.length + kShortCost * std::max(0.0, 1 - share / kLongShare);
   }
 
-  // The length of the longest contact that a border consists of: its patches on one side, where they touch. Many strands
-  // between two regions are necks as one is.
-  double longestContact(const Border& border) {
+  // The length of the contacts that a border consists of: its patches on one side, where they touch. Many strands between
+  // two regions are necks as one is: short contacts count only where there is no longer one.
+  double contactLength(const Border& border) {
     std::map<std::uint32_t, double> lengths;  // by the patches of the near side
     for (const std::uint32_t e : border.entries) lengths[from_[e]] += double(graph_.border[e]);
-    double longest = 0;
+    double longest = 0, sum = 0;
     std::vector<std::uint32_t> stack;
     while (!lengths.empty()) {
       stack.assign(1, lengths.begin()->first);
@@ -135,8 +135,9 @@ class RegionGraph {
           }
       }
       longest = std::max(longest, length);
+      if (length >= double(rules_.strand)) sum += length;
     }
-    return longest;
+    return std::max(longest, sum);
   }
 
   // Puts the borders of a region into the queue: those to later regions than `from`.

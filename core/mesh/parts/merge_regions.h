@@ -4,8 +4,8 @@
 
 namespace sonoskin {
 
-// MergeRules: when two regions of a surface are one part. The longest contact between them counts: many strands are necks
-// as one is.
+// MergeRules: when two regions of a surface are one part. Contacts between them that are longer than a strand's girth
+// count together, shorter ones by themselves: many strands are necks as one is.
 //   crease      rad: a person would cut along a border that is hollower than this in the mean. On four real faces nose,
 //               lips and lids come to 0.6 at most, arms and cheeks to 0.85 at least
 //   neck        a contact shorter than this share of the root of the smaller region's area is a neck, and costs up to 1 rad
@@ -13,7 +13,7 @@ namespace sonoskin {
 //   smallArea   mm²: regions smaller than this are no parts of their own
 struct MergeRules {
   float crease = 0.72f;
-  float neck = 0.9f;
+  float neck = 1.1f;
   float strand = 14;
   float smallArea = 60;
 };
