@@ -85,7 +85,7 @@ struct ViewState {
   bool crop = true;  // to the box around the surface points
   MeshStyle meshStyle = MeshStyle::skin;
   bool unmeasured = false;  // marked on mesh and skin: what was filled in or lies at the border of the data
-  bool parts = false;  // the mesh in the colours of its parts, to take them away and bring them back
+  bool parts = false;       // the mesh in the colours of its parts, to take them away and bring them back
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;

@@ -85,6 +85,7 @@ void drawViewPanel(Workspace& workspace) {
     noteWidget("view.unmeasured");
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("Greyed: closed holes, and the border, where points grow sparse.");
+    rowLabel("");
     const Command& parts = command("surface.parts");
     const DisabledIf none(!isEnabled(parts, workspace));
     bool shown = view.parts;

@@ -67,7 +67,7 @@ void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const 
                : w.view.meshStyle == MeshStyle::clay ? MeshLook::clay
                                                      : MeshLook::skin;
   input.supersampling = supersampling;
-  input.unseenShade = w.view.unmeasured ? 1 : 0;
+  input.unseenShade = w.view.unmeasured && !parts ? 1 : 0;
   window.meshView->draw(input, target);
 }
 

@@ -29,6 +29,7 @@ Scan ballScan() {
 Parameters parametersForTests() {
   Parameters p;
   p.mesh.resolution = 80;
+  p.mesh.fillHoles = 0;  // no stage of its own
   return p;
 }
 

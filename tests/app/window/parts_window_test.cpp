@@ -18,6 +18,7 @@ class PartsWindowTest : public WindowTest {
     ASSERT_TRUE(d.waitUntilIdle());
     d.moveTo({5, 5});
     d.press("m");
+    d.workspace().view.camera.distance *= 1.6f;  // shoulders, too
     d.frames(3);
     clay_ = d.screenshot("sonoskin_parts_clay");
     d.press("p");
