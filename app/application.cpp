@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
 #include "app/theme.h"
 #include "render/gl/context.h"
 
@@ -83,7 +84,10 @@ void Application::takeInput() {
 void Application::updateDocument() {
   Session& session = workspace_.session;
   for (Message& message : session.takeMessages()) {
-    workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+    if (message.kind == Message::Kind::warning)
+      workspace_.toasts.warn(ui::sentence(message.text));
+    else
+      workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
   }
   const Scan& scan = session.scan();
   if (scan.volume.get() != shownVolume_) {

@@ -70,6 +70,9 @@ Results compute(BatchRun& run, const Scan& scan) {
       pipeline.run(scan, run.parameters, Goal::mesh, run.progress.part(kLoaded, kComputed), run.stageBegins);
   run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
   run.report.isoValue = results.isoValue;
+  run.report.isoShare = run.parameters.classification.isoShare;
+  run.report.isoRange = results.isoRange;
+  run.report.warnings = results.warnings;
   run.report.points = results.points->size();
   run.report.edge = results.edge;
   run.report.centres = results.centres;

@@ -16,7 +16,6 @@ FaceReport reportFace(const FaceFit* face, const FaceOptions& options) {
   report.fit = *face;
   report.used = isCertain(face, options);
   report.text = faceText(face, options);
-  report.warning = scaleWarning(face, options);
   return report;
 }
 
@@ -34,7 +33,6 @@ std::string faceJson(const FaceReport& report) {
                          {"noseTip", list(p.noseTip)},     {"mouthRight", list(p.mouthRight)},
                          {"mouthLeft", list(p.mouthLeft)}, {"chin", list(p.chin)}};
   }
-  if (!report.warning.empty()) json["warning"] = report.warning;
   return json.dump();
 }
 

@@ -39,6 +39,23 @@ nlohmann::ordered_json partsJson(const std::vector<ReportedPart>& parts) {
   return list;
 }
 
+nlohmann::ordered_json isoJson(const Report& report) {
+  const IsoRange& range = report.isoRange;
+  return {{"automatic", range.automatic}, {"share", report.isoShare}, {"fluid", range.fluid},
+          {"edge", range.edge},           {"least", range.least},     {"most", range.most}};
+}
+
+std::string isoText(const Report& report) {
+  const IsoRange& range = report.isoRange;
+  if (!range.automatic) return fmt::format("iso-value {:.2f}, as given\n", report.isoValue);
+  const std::string places = range.least < range.most ? fmt::format(", {:.2f} to {:.2f} from place to place",
+                                                                    range.least, range.most)
+                                                      : "";
+  return fmt::format(
+      "iso-value {:.2f}{}: {:.0f} % of the way from the fluid's grey {:.2f} to the edges' {:.2f}\n",
+      report.isoValue, places, 100 * report.isoShare, range.fluid, range.edge);
+}
+
 std::string partsText(const std::vector<ReportedPart>& parts) {
   const auto kept = std::count_if(parts.begin(), parts.end(), [](const ReportedPart& p) { return p.kept; });
   return fmt::format("{} of {} parts of the surface are kept\n", kept, parts.size());
@@ -70,6 +87,8 @@ std::string reportJson(const Report& report) {
   json["spacing_mm"] = report.spacing;
   json["spacing_known"] = report.spacingKnown;
   json["iso_value"] = report.isoValue;
+  json["iso"] = isoJson(report);
+  json["warnings"] = report.warnings;
   json["erased_voxels"] = report.erasedVoxels;
   json["stages"] = stages;
   json["points"] = report.points;
@@ -106,12 +125,11 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
                       report.mesh.area / 100);
   if (!report.parts.empty()) text += partsText(report.parts);
   if (report.print) text += printText(*report.print);
+  text += isoText(report);
   if (report.edge.width > 0)
-    text += fmt::format(
-        "the skin's edge rises from grey {:.2f} to {:.2f} within {:.1f} mm (20 to 80 %); iso-value {:.2f}\n",
-        report.edge.dark, report.edge.bright, report.edge.width, report.isoValue);
-  for (const std::string& sentence : {report.face.text, report.face.warning})
-    if (!sentence.empty()) text += sentence + "\n";
+    text += fmt::format("the skin's edge rises from grey {:.2f} to {:.2f} within {:.1f} mm (20 to 80 %)\n",
+                        report.edge.dark, report.edge.bright, report.edge.width);
+  if (!report.face.text.empty()) text += report.face.text + "\n";
   for (const StageReport& stage : report.stages) {
     text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
                         double(stage.bytes) * 1e-6);

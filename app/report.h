@@ -27,8 +27,9 @@ struct Report {
   std::array<int, 3> dims{};
   std::array<double, 3> spacing{};  // mm
   bool spacingKnown = true;
-  double isoValue = 0;
-  std::size_t erasedVoxels = 0;  // of the file of --erase
+  double isoValue = 0, isoShare = 0;  // the share: of the way from fluid to edge, where it was found
+  IsoRange isoRange;                  // what it was found from, and its range from place to place
+  std::size_t erasedVoxels = 0;       // of the file of --erase
   std::vector<StageReport> stages;
   std::size_t points = 0, centres = 0, pieces = 0;
   std::vector<ReportedPart> parts;  // largest first; none where whole pieces are chosen
@@ -39,8 +40,9 @@ struct Report {
   std::optional<double> globalErrorWithWeights;
   EdgeProfile edge;  // across the surface; all zero if the points were not moved onto it
   FaceReport face;
-  double seconds = 0;          // wall time of everything
-  std::size_t peakMemory = 0;  // bytes
+  std::vector<std::string> warnings;  // a sentence each: why the surface may not be skin, or not in mm
+  double seconds = 0;                 // wall time of everything
+  std::size_t peakMemory = 0;         // bytes
   int threads = 0;
   std::string gl;  // renderer and version of OpenGL
   std::vector<std::string> files;

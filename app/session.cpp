@@ -6,6 +6,7 @@
 #include "app/parameters_key.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
+#include "core/pipeline/scan_doubts.h"
 
 namespace sonoskin {
 
@@ -31,6 +32,7 @@ void Session::adopt(Opened opened) {
   results_ = {};
   meshKey_ = {};
   meshArea_ = 0;
+  warned_.clear();
   ++revision_;
   submit(Goal::classified);
 }
@@ -169,11 +171,7 @@ void Session::takeResults() {
     meshKey_ = requestKey_;
     meshIsFinal_ = fresh->isFinal;
     meshArea_ = surfaceArea(*fresh->mesh);
-    if (request_ == Goal::mesh) {
-      ++reconstructions_;
-      const std::string warning = scaleWarning(fresh->face.get(), parameters_.face);
-      if (!warning.empty()) report(Message::Kind::note, warning);
-    }
+    if (request_ == Goal::mesh) ++reconstructions_;
   } else {
     fresh->mesh = results_.mesh;
     fresh->pieces = results_.pieces;
@@ -182,10 +180,25 @@ void Session::takeResults() {
     fresh->centres = results_.centres;
   }
   if (!fresh->thinned) fresh->thinned = results_.thinned;
-  if (!fresh->points) fresh->points = results_.points;
+  if (!fresh->points) {
+    fresh->points = results_.points;
+    fresh->edge = results_.edge;
+  }
   if (!fresh->face) fresh->face = results_.face;  // sliders do not move it
+  if (!fresh->evidence) fresh->evidence = results_.evidence;
+  if (fresh->evidence)
+    fresh->warnings = doubtsOf(scan_, *fresh->evidence, fresh->face.get(), parameters_.face);
+  tellWarnings(fresh->warnings, request_ == Goal::mesh);
   results_ = std::move(*fresh);
   ++revision_;
+}
+
+void Session::tellWarnings(const std::vector<std::string>& warnings, bool again) {
+  for (const std::string& warning : warnings) {
+    const bool known = std::ranges::count(warned_, warning) > 0;
+    if (!known || again) report(Message::Kind::warning, warning);
+    if (!known) warned_.push_back(warning);
+  }
 }
 
 // The points follow the classification as a request of their own, and the surface follows the points: where no surface

@@ -19,7 +19,7 @@ namespace sonoskin {
 
 // Message: something to tell the person once.
 struct Message {
-  enum class Kind { note, failure };
+  enum class Kind { note, warning, failure };
   Kind kind = Kind::note;
   std::string text;  // one sentence
 };
@@ -75,6 +75,9 @@ class Session {
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
+  // warnings: why the surface may not be skin, or not in mm; a sentence each. Each is a message once, and again when
+  // reconstruct() was asked for.
+  const std::vector<std::string>& warnings() const { return results_.warnings; }
   // face: where the face is, if it is certain; else null.
   const FaceFit* face() const;
   // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
@@ -125,6 +128,7 @@ class Session {
   bool mayFollow() const;
   void takeResults();
   void finishRequest();
+  void tellWarnings(const std::vector<std::string>& warnings, bool again);
   void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
 
   // Version: what undo goes back to.
@@ -148,6 +152,7 @@ class Session {
   double meshArea_ = 0;
   std::uint64_t revision_ = 0, reconstructions_ = 0;
   std::vector<Message> messages_;
+  std::vector<std::string> warned_;  // what was said of this document
   Worker opener_, saver_;
   Runner runner_;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/base/log.h"
 #include "core/base/parallel.h"
 
 namespace sonoskin {
@@ -21,6 +22,11 @@ void Console::addThreads(CLI::App& command) {
                                 "threads to use; the machine's own number by default")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""));
+}
+
+void Console::warn(const std::vector<std::string>& sentences) {
+  line_.finish();
+  for (const std::string& sentence : sentences) log(LogLevel::warning, sentence);
 }
 
 void Console::print(const std::string& json, const std::string& text) {

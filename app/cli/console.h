@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 #include "app/cli/progress_line.h"
 #include "core/base/progress.h"
@@ -20,6 +21,8 @@ class Console {
   Progress progress() { return Progress(line_.sink()); }
   void beginStage(const std::string& name) { line_.beginStage(name); }
 
+  // warn: a line each, above the result.
+  void warn(const std::vector<std::string>& sentences);
   // print: the result of a command, once, at its end.
   void print(const std::string& json, const std::string& text);
 

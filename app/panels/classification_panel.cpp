@@ -39,6 +39,27 @@ Names namedAbove() {
   return names;
 }
 
+// The iso-value that was found, and how far it goes down and up from place to place.
+std::string automaticText(const Results& results) {
+  const IsoRange& range = results.isoRange;
+  if (range.most - range.least < 0.015) return fmt::format(", {:.2f}", results.isoValue);
+  return fmt::format(", {:.2f} ({:.2f} to {:.2f})", results.isoValue, range.least, range.most);
+}
+
+// What it was measured from.
+std::string explanationOf(const Results& results, double share) {
+  const IsoRange& range = results.isoRange;
+  std::string text = fmt::format(
+      "Found from this scan: the fluid's grey is {:.2f}, that of the steepest edges {:.2f}; the iso-value "
+      "lies "
+      "{:.0f} % of the way, {:.2f} in all and {:.2f} to {:.2f} from place to place.",
+      range.fluid, range.edge, 100 * share, results.isoValue, range.least, range.most);
+  if (const EdgeProfile& edge = results.edge; edge.width > 0)
+    text += fmt::format(" Across the surface the grey rises from {:.2f} to {:.2f} within {:.1f} mm.",
+                        edge.dark, edge.bright, edge.width);
+  return text + " Drag to set one iso-value for the whole scan from there.";
+}
+
 // The words of the first rows.
 RowText firstRowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
   RowText text = useOf(parameters, "classification")(field);
@@ -46,8 +67,10 @@ RowText firstRowText(const Workspace& workspace, const Parameters& parameters, s
   if (field == "beta") text.label = "Smoothing";
   if (field == "isoValue" && parameters.classification.isoValue == 0) {
     text.shown = "automatic";
-    if (const double found = workspace.session.results().isoValue; found > 0) {
-      text.shown += fmt::format(", {:.2f}", found);
+    const Results& results = workspace.session.results();
+    if (const double found = results.isoValue; found > 0) {
+      text.shown += automaticText(results);
+      text.found = explanationOf(results, parameters.classification.isoShare);
       text.grab = found;  // whoever drags it goes on from there
     }
   }

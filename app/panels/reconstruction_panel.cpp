@@ -51,6 +51,18 @@ void drawMeshFacts(const Session& session) {
   }
 }
 
+// What speaks against this being skin; it stays as long as it holds.
+void drawWarnings(const Session& session) {
+  for (const std::string& warning : session.warnings()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted((sentence(warning) + ".").c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    noteWidget("surface.warning");
+  }
+}
+
 // The one parameter of the fit that a person turns; the others are under "Advanced".
 constexpr std::array<std::string_view, 1> kFirst{"smoothness"};
 
@@ -102,6 +114,7 @@ void drawReconstructionPanel(Workspace& workspace) {
   }
   noteWidget(reconstruct.id);
   drawProgress(workspace, activity);
+  drawWarnings(workspace.session);
   drawMeshFacts(workspace.session);
   if (workspace.session.results().mesh) {
     for (const char* id : {"file.saveMesh", "file.savePrint"}) {

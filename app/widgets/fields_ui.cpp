@@ -40,6 +40,7 @@ void tooltip(const FieldRow& row, const std::string& facts) {
   std::string help(row.field.help);
   if (!help.empty()) help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
   ImGui::TextUnformatted((help + ".").c_str());
+  if (!row.text.found.empty()) ImGui::TextUnformatted(row.text.found.c_str());
   if (!row.text.unused.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
     ImGui::TextUnformatted(fmt::format("Not used now. {}.", row.text.unused).c_str());

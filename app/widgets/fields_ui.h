@@ -29,6 +29,7 @@ struct RowText {
   std::string label = {};           // instead of the field's own name
   std::string shown = {};           // on a slider instead of the number
   std::optional<double> grab = {};  // where the slider's grab stands instead of at the value
+  std::string found = {};           // how the value was found, for the tooltip
   std::string unused = {};          // why the parameter has no effect just now; the row is grey then
 };
 

@@ -9,7 +9,7 @@
 namespace sonoskin::ui {
 namespace {
 
-constexpr double kNoteSeconds = 5;
+constexpr double kNoteSeconds = 5, kWarningSeconds = 15;
 constexpr std::size_t kMostAtOnce = 4;
 
 // True when it was clicked away.
@@ -20,7 +20,7 @@ bool drawToast(const Toasts::Toast& toast, std::size_t number, float right, floa
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * unit());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-  ImGui::PushStyleColor(ImGuiCol_Border, toast.failure ? kFailure : kAccent);
+  ImGui::PushStyleColor(ImGuiCol_Border, toast.failure ? kFailure : toast.warning ? kWarning : kAccent);
   ImGui::Begin(id.c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -39,10 +39,14 @@ bool drawToast(const Toasts::Toast& toast, std::size_t number, float right, floa
 
 }  // namespace
 
-void Toasts::add(const std::string& text, bool failure) {
+void Toasts::add(const std::string& text, bool failure) { show({text, failure}); }
+
+void Toasts::warn(const std::string& text) { show({text, false, true}); }
+
+void Toasts::show(Toast added) {
   // The same sentence again and again (a slider in motion) is one message.
-  std::erase_if(list, [&](const Toast& toast) { return toast.text == text; });
-  list.push_back({text, failure, 0});
+  std::erase_if(list, [&](const Toast& toast) { return toast.text == added.text; });
+  list.push_back(std::move(added));
   if (list.size() > kMostAtOnce) list.erase(list.begin());
 }
 
@@ -51,7 +55,7 @@ double drawToasts(Toasts& toasts, float right, float bottom) {
   const double now = ImGui::GetTime();
   std::size_t number = 0;
   for (auto toast = toasts.list.begin(); toast != toasts.list.end(); ++number) {
-    if (toast->until == 0) toast->until = now + kNoteSeconds;
+    if (toast->until == 0) toast->until = now + (toast->warning ? kWarningSeconds : kNoteSeconds);
     const bool clicked = drawToast(*toast, number, right, bottom);
     const double left = toast->until - now;
     if (clicked || (!toast->failure && left <= 0)) {

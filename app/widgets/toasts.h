@@ -5,16 +5,21 @@
 
 namespace sonoskin::ui {
 
-// Toasts: short messages at the lower right. Notes leave by themselves; failures stay until they are clicked.
+// Toasts: short messages at the lower right. Notes and, later, warnings leave by themselves; failures stay until they are
+// clicked.
 struct Toasts {
   struct Toast {
     std::string text;
-    bool failure = false;
+    bool failure = false, warning = false;
     double until = 0;  // ImGui's time; 0: not shown yet
   };
   std::vector<Toast> list;
 
   void add(const std::string& text, bool failure);
+  void warn(const std::string& text);
+
+ private:
+  void show(Toast toast);
 };
 
 // drawToasts: draws them above `bottom`; seconds until the next one must go, negative where none will.

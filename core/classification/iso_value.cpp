@@ -164,6 +164,17 @@ void GreyLevels::row(double share, int j, int k, int count, float* out) const {
   for (int i = 0; i < count; ++i) out[i] = std::clamp(fluid + float(share) * (out[i] - fluid), 0.02f, 0.98f);
 }
 
+IsoRange isoRangeOf(const GreyLevels& levels, double share) {
+  IsoRange range{double(levels.fluid), double(levels.edge)};
+  range.least = range.most = double(levels.between(share));
+  if (!levels.edges) return range;
+  const auto [low, high] = std::ranges::minmax_element(levels.edges->grey);
+  GreyLevels local = levels;
+  local.edge = *low, range.least = double(local.between(share));
+  local.edge = *high, range.most = double(local.between(share));
+  return range;
+}
+
 GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view, const Beam& beam) {
   GreyLevels levels;
   const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);

@@ -36,6 +36,18 @@ struct GreyLevels {
   void row(double share, int j, int k, int count, float* out) const;
 };
 
+// IsoRange: what an iso-value was found from, for people. Grey, in [0, 1].
+//   fluid, edge  of GreyLevels
+//   least, most  the smallest and the largest iso-value of any place; the same where one holds everywhere
+//   automatic    whether it was found; else it was given
+struct IsoRange {
+  double fluid = 0, edge = 0, least = 0, most = 0;
+  bool automatic = true;
+};
+
+// isoRangeOf: for iso-values that lie `share` of the way from fluid to edge.
+IsoRange isoRangeOf(const GreyLevels& levels, double share);
+
 // proposeLevels: from the volume.
 //   lowPassed  values in [0, 1]
 //   view       voxels outside it, and those within 6 voxels of its sides, are not counted

@@ -72,6 +72,7 @@ class Slice {
     guarded([&] { io_->ReadImageInformation(); });
     stored_ = describedBy(*io_, path);
     stored_.format = "DICOM series";
+    stored_.modality = modality();
     stored_.spacingKnown = has("0028|0030") || has("0018|1164") || has("0018|2010");
   }
 
@@ -95,6 +96,16 @@ class Slice {
   bool has(const char* tag) const {
     std::string ignored;
     return itk::ExposeMetaData(io_->GetMetaDataDictionary(), tag, ignored);
+  }
+  // Two capital letters by the standard; whatever else a file puts there is not passed on.
+  std::string modality() const {
+    std::string word;
+    itk::ExposeMetaData(io_->GetMetaDataDictionary(), "0008|0060", word);
+    word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == ' ' || c == '\0'; }),
+               word.end());
+    const bool isCode =
+        word.size() == 2 && std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+    return isCode ? word : std::string();
   }
   // The libraries' own words may quote the file, so they are not passed on.
   template <class Call>

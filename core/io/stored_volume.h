@@ -30,6 +30,8 @@ struct StoredVolume {
   bool timeIsFastest = false;                          // side by side, as components
   std::optional<std::pair<double, double>> unitRange;  // values that mean 0 and 1, where the file tells
   std::optional<Beam> beam;
+  std::string
+      modality{};  // DICOM's word for the machine: "US", "CT", ...; empty where the file does not tell
 };
 
 // LoadedVolume: a volume as it lies in its file or files, with the numbers in this machine's byte order.

@@ -72,6 +72,7 @@ Scan readScan(const fs::path& path, const Progress& progress) {
   scan.originalType = numberTypeName(loaded.stored.type);
   scan.spacingKnown = loaded.stored.spacingKnown;
   scan.beam = loaded.stored.beam;
+  scan.modality = loaded.stored.modality;
   scan.key = scanKey(*scan.volume, scan.beam);
   if (const int steps = timeStepsOf(loaded.stored); steps > 1)
     log(LogLevel::info,

@@ -12,6 +12,7 @@
 #include "core/pipeline/choose_piece.h"
 #include "core/pipeline/kept_parts.h"
 #include "core/pipeline/prepared.h"
+#include "core/pipeline/scan_doubts.h"
 #include "core/pipeline/stage.h"
 #include "core/pipeline/stage_keys.h"
 #include "core/rbf/fitted_surface.h"
@@ -31,6 +32,16 @@ double isoValueOf(const ClassificationOptions& options, const GreyLevels& levels
   return options.isoValue > 0 ? options.isoValue : double(levels.between(options.isoShare));
 }
 
+// What it was found from.
+IsoRange isoRangeOf(const ClassificationOptions& options, const GreyLevels& levels) {
+  IsoRange range = sonoskin::isoRangeOf(levels, options.isoShare);
+  if (options.isoValue > 0) range.least = range.most = options.isoValue, range.automatic = false;
+  // The thesis' formulations know one iso-value for the whole volume.
+  else if (options.formulation != Formulation::variational)
+    range.least = range.most = double(levels.between(options.isoShare));
+  return range;
+}
+
 struct Points {
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::shared_ptr<const SurfacePoints> points;
@@ -41,6 +52,7 @@ std::size_t bytesOf(const Prepared& p) { return p.smoothed.lowPassed.data.size()
 std::size_t bytesOf(const Volume<float>& v) { return v.data.size() * sizeof(float); }
 std::size_t bytesOf(const Points& p) { return p.thinned->data.size() + p.points->size() * 28; }
 std::size_t bytesOf(const FaceFit&) { return sizeof(FaceFit); }
+std::size_t bytesOf(const ScanEvidence&) { return sizeof(ScanEvidence); }
 std::size_t bytesOf(const FittedSurface& f) { return f.bytes; }
 std::size_t bytesOf(const Mesh& m) { return m.positions.size() * 24 + m.triangles.size() * sizeof(Triangle); }
 std::size_t bytesOf(const KeptParts& k) { return bytesOf(k.mesh) + k.verdicts.size() * sizeof(PartVerdict); }
@@ -158,6 +170,7 @@ struct Pipeline::Stages {
   Stage<Prepared> prepared{1};
   Stage<Volume<float>> classified{3};
   Stage<Points> points{3};
+  Stage<ScanEvidence> evidence{3};
   Stage<FaceFit> face{3};
   Stage<FittedSurface> fitted{3};
   Stage<std::vector<Mesh>> pieces{3};
@@ -172,6 +185,7 @@ struct Pipeline::Stages {
   Start start(const Way& way);
   Key classify(const Way& way, const Start& start, Goal goal);
   Key findPoints(const Way& way, const Start& start, const Key& classified);
+  void weigh(const Way& way, const Prepared& prepared, const Key& points);
   void findFace(const Way& way, const Prepared& prepared, const Key& points);
   Key findPieces(const Way& way, const Key& points, double until);
   Key choose(const Way& way, const Prepared& prepared, const Key& pieces, double until);
@@ -202,6 +216,7 @@ Key Pipeline::Stages::classify(const Way& way, const Start& start, Goal goal) {
   ClassificationOptions options = way.parameters.classification;
   const GreyLevels& levels = start.prepared->smoothed.levels;
   way.results.isoValue = isoValueOf(options, levels);
+  way.results.isoRange = isoRangeOf(options, levels);
   way.results.visibleLevel = double(levels.between(kVisibleShare));
   if (options.formulation != Formulation::variational) options.isoValue = way.results.isoValue;
   const Key final = keyOf("classify 2", start.key, options);
@@ -233,6 +248,15 @@ Key Pipeline::Stages::findPoints(const Way& way, const Start& start, const Key& 
   return key;
 }
 
+void Pipeline::Stages::weigh(const Way& way, const Prepared& from, const Key& pointsKey) {
+  const Key key = Hasher("evidence 1").add(pointsKey).key();
+  way.results.evidence = way.run.stage("evidence", 0.61, evidence, key, [&](const Progress& p) {
+    return weighEvidence({*way.scan.volume, from.smoothed.lowPassed, from.view, from.beam,
+                          from.smoothed.levels, *way.results.points, way.results.edge},
+                         p);
+  });
+}
+
 void Pipeline::Stages::findFace(const Way& way, const Prepared& from, const Key& pointsKey) {
   const FaceOptions& options = way.parameters.face;
   if (!options.find) return;
@@ -247,6 +271,8 @@ void Pipeline::Stages::findFace(const Way& way, const Prepared& from, const Key&
 
 // The fit, and all pieces of its surface.
 Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double until) {
+  require(way.results.points->size() > 0 || way.results.warnings.empty(), "no surface was found: {}",
+          way.results.warnings.empty() ? "" : way.results.warnings.front());
   require(way.results.points->size() > 0,
           "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
           "edge, or "
@@ -317,8 +343,10 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   const Key classified = stages_->classify(way, start, goal);
   if (goal == Goal::classified) return results;
   const Key points = stages_->findPoints(way, start, classified);
-  if (goal == Goal::points) return results;
+  stages_->weigh(way, *start.prepared, points);
   if (goal == Goal::mesh) stages_->findFace(way, *start.prepared, points);
+  results.warnings = doubtsOf(scan, *results.evidence, results.face.get(), parameters.face);
+  if (goal == Goal::points) return results;
   // Shares of the progress: a solid takes most of the time where one is made.
   const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
   const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;
@@ -354,6 +382,7 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   const GreyLevels levels = full ? full->smoothed.levels : prepared->smoothed.levels;
   ClassificationOptions& classification = adapted.classification;
   results.isoValue = isoValueOf(classification, levels);
+  results.isoRange = isoRangeOf(classification, levels);
   results.visibleLevel = double(levels.between(kVisibleShare));
   if (classification.formulation != Formulation::variational) classification.isoValue = results.isoValue;
   results.classified =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/classification/iso_value.h"
 #include "core/face/face_fit.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/kept_parts.h"
@@ -25,6 +26,8 @@ struct StageReport {
   std::size_t bytes = 0;  // of the stage's result
 };
 
+struct ScanEvidence;  // core/pipeline/scan_evidence.h
+
 // Goal: how far a run goes.
 //   surface   to a mesh, for somebody who turns a slider: made from the live classification unless the final one is known
 //   mesh      to a mesh made from a classification that is solved to its tolerance
@@ -35,10 +38,11 @@ enum class Preview { half, quarter };
 
 // Results: what a run has made so far; later members are empty until their stage has run.
 struct Results {
-  double isoValue = 0;                              // the iso-value used: given, or found from the volume
-  double visibleLevel = 0;                          // the grey value that views of the volume take for skin
-  bool isFinal = false;                             // classified to the tolerance, not only live
-  std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
+  double isoValue = 0;      // the iso-value used: given, or found from the volume
+  IsoRange isoRange;        // what it was found from, and its range from place to place
+  double visibleLevel = 0;  // the grey value that views of the volume take for skin
+  bool isFinal = false;     // classified to the tolerance, not only live
+  std::shared_ptr<const Volume<float>> classified;      // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
   EdgeProfile edge;                                 // across the surface, where the points were moved onto it
@@ -53,6 +57,8 @@ struct Results {
   std::shared_ptr<const PartedSurface>
       parts{};  // the whole surface in parts; empty where whole pieces are chosen
   std::shared_ptr<const std::vector<PartVerdict>> verdicts{};  // of the parts: which are in the mesh, and why
+  std::shared_ptr<const ScanEvidence> evidence{};              // of what was recorded; from Goal::points on
+  std::vector<std::string> warnings{};  // a sentence each: why the surface may not be skin, or not in mm
 };
 
 // Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier

@@ -41,10 +41,12 @@ class LocalBeams {
 
 // Scan: a recorded volume and what is known of it. Holds nothing that identifies a patient.
 struct Scan {
-  std::shared_ptr<const Volume<float>> volume;         // normalised to [0, 1]
-  double originalMin = 0, originalMax = 1;             // what 0 and 1 were in the file
-  std::string originalType = "float";                  // number type in the file, such as "uint8"
-  bool spacingKnown = true;                            // false: the file gave none and 1 mm was assumed
+  std::shared_ptr<const Volume<float>> volume;  // normalised to [0, 1]
+  double originalMin = 0, originalMax = 1;      // what 0 and 1 were in the file
+  std::string originalType = "float";           // number type in the file, such as "uint8"
+  bool spacingKnown = true;                     // false: the file gave none and 1 mm was assumed
+  std::string
+      modality{};  // DICOM's word for the machine, such as "US" or "CT"; empty where the file does not tell
   std::optional<Beam> beam;                            // where the file or the phantom tells
   std::shared_ptr<const Volume<std::uint8_t>> mask;    // not zero where something was scanned; may be missing
   Key key;                                             // of geometry and voxels

@@ -10,6 +10,7 @@
 #include "core/base/version.h"
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
+#include "core/io/volume_writer.h"
 #include "tests/app/cli_support.h"
 
 namespace sonoskin::test {
@@ -48,9 +49,47 @@ TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
     EXPECT_TRUE(stage["bytes"].is_number_unsigned());
   }
   EXPECT_GE(report["face"]["confidence"].get<double>(), 0);
+  EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
+  EXPECT_EQ(result.err.find("sonoskin: warning"), std::string::npos) << result.err;
+  EXPECT_TRUE(report["iso"]["automatic"].get<bool>());
+  EXPECT_LT(report["iso"]["fluid"].get<double>(), report["iso"]["edge"].get<double>());
+  EXPECT_LT(report["iso"]["least"].get<double>(), report["iso"]["most"].get<double>());
   const Image picture = readPng(folder / "a/b/skin.png");
   EXPECT_EQ(picture.width, 160);
   EXPECT_EQ(picture.height, 120);
+}
+
+// A ball that is as sharp all around, in air that is not quite even: as a CT shows it.
+Volume<float> ballInAir() {
+  Geometry g;
+  g.dims = {48, 48, 48};
+  g.spacing = glm::dvec3(2);
+  Volume<float> ball(g);
+  for (int k = 0; k < 48; ++k)
+    for (int j = 0; j < 48; ++j)
+      for (int i = 0; i < 48; ++i) {
+        const float d = 2 * glm::length(glm::vec3(i, j, k) - glm::vec3(23.5f));
+        ball.at(i, j, k) = (d > 36   ? 0.02f
+                            : d > 28 ? 0.6f
+                                     : 0.3f) +
+                           0.001f * float((7 * i + 11 * j + 13 * k) % 10);
+      }
+  return ball;
+}
+
+TEST(RunCommand, WarnsOfWhatIsNoSkinAndMakesItsSurface) {
+  const TempFolder folder;
+  const std::filesystem::path file = folder / "ball.nrrd";
+  writeVolume(file, ballInAir());
+  const ProgramResult result = sonoskin({"run", file.string(), "--out", (folder / "out").string(), "--json",
+                                         "--size", "64x64", "--mesh.resolution", "60"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const nlohmann::json report = nlohmann::json::parse(result.out);
+  ASSERT_EQ(report["warnings"].size(), 1u) << report["warnings"];
+  EXPECT_NE(result.err.find("sonoskin: warning: " + report["warnings"][0].get<std::string>() + "\n"),
+            std::string::npos)
+      << result.err;
+  EXPECT_GT(report["triangles"].get<int>(), 0);
 }
 
 TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {

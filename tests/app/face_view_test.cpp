@@ -82,7 +82,7 @@ TEST(FaceReport, SaysWhatWasFoundOrOnlyHowUncertainItIs) {
   EXPECT_TRUE(json["used"].get<bool>());
   EXPECT_EQ(json["landmarks"]["chin"].size(), 3u);
   EXPECT_NEAR(json["head_height_mm"].get<double>(), 30, 1e-4);
-  EXPECT_TRUE(json.contains("warning"));
+  EXPECT_FALSE(json.contains("warning"));  // it is one of the run's
   face.confidence = 0.1f;
   json = nlohmann::json::parse(faceJson(reportFace(&face, {})));
   EXPECT_FALSE(json["used"].get<bool>());

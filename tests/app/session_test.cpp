@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -48,6 +49,43 @@ TEST(Session, ClassifiesWhatItOpens) {
   EXPECT_FALSE(session.classifiedIsCoarse());
   EXPECT_GT(session.results().isoValue, 0);
   EXPECT_EQ(session.proposedName(".ply"), "Phantom.ply");
+}
+
+TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
+  Geometry g;
+  g.dims = {48, 48, 48};
+  g.spacing = glm::dvec3(2);
+  Volume<float> ball(g);  // as sharp all around
+  for (int k = 0; k < 48; ++k)
+    for (int j = 0; j < 48; ++j)
+      for (int i = 0; i < 48; ++i) {
+        const float d = 2 * glm::length(glm::vec3(i, j, k) - glm::vec3(23.5f));
+        ball.at(i, j, k) = (d > 36 ? 0.02f : 0.5f) + 0.001f * float((7 * i + 11 * j + 13 * k) % 10);
+      }
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_warning.nrrd";
+  writeVolume(file, ball);
+  Session session(tinyPhantom());
+  session.openFile(file);
+  ASSERT_TRUE(wait(session));
+  ASSERT_EQ(session.warnings().size(), 1u);
+  const auto warned = [&] {
+    const std::vector<Message> messages = session.takeMessages();
+    return std::count_if(messages.begin(), messages.end(), [&](const Message& m) {
+      return m.kind == Message::Kind::warning && m.text == session.warnings()[0];
+    });
+  };
+  EXPECT_EQ(warned(), 1);
+  Parameters moved = session.parameters();
+  moved.surface.minClusterArea = 40;
+  session.edit(moved);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.warnings().size(), 1u);
+  EXPECT_EQ(warned(), 0) << "a slider does not repeat it";
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.results().mesh);
+  EXPECT_EQ(warned(), 1);
+  fs::remove(file);
 }
 
 TEST(Session, UndoBringsParametersAndResultsBack) {

@@ -25,6 +25,18 @@ double step(double j, double at, double low, double high) {
 // A long beam, so that the flanks of the step weigh little beside fluid and tissue.
 Geometry beamOfVoxels() { return test::grid({16, 200, 16}); }
 
+TEST(IsoRange, GoesFromTheSmallestToTheLargestEdge) {
+  GreyLevels levels{0.1f, 0.5f};
+  EXPECT_NEAR(isoRangeOf(levels, 0.5).least, 0.3, 1e-6);
+  EXPECT_NEAR(isoRangeOf(levels, 0.5).most, 0.3, 1e-6);
+  auto field = std::make_shared<EdgeField>();
+  field->grey = {0.7f, 0.3f, 0.5f};
+  levels.edges = field;
+  EXPECT_NEAR(isoRangeOf(levels, 0.5).least, 0.2, 1e-6);
+  EXPECT_NEAR(isoRangeOf(levels, 0.5).most, 0.4, 1e-6);
+  EXPECT_NEAR(isoRangeOf(levels, 0.5).fluid, 0.1, 1e-6);
+}
+
 TEST(IsoValue, LiesTheShareOfTheWayFromFluidToEdge) {
   const auto volume = test::fill(beamOfVoxels(), [](glm::dvec3 p) { return step(p.y, 100.5, 0.1, 0.8); });
   EXPECT_NEAR(proposeLevels(volume, {}, {}).between(kShare), 0.1 + kShare * 0.35, 0.01);
