@@ -139,13 +139,13 @@ TEST_F(PipelineTest, EnhancementIsDoneOnceAndReachesEverythingBehindIt) {
   changed.enhancement.method = EnhancementMethod::diffusion;
   const Results enhanced = pipeline.run(scan, changed, Goal::points);
   EXPECT_EQ(computed(enhanced),
-            (std::vector<std::string>{"enhancement", "low-pass", "classification", "points"}));
+            (std::vector<std::string>{"enhancement", "low-pass", "classification", "points", "evidence"}));
   EXPECT_NE(enhanced.classified->data, plain.classified->data);
   EXPECT_NE(pipeline.preview(scan, changed, Preview::half).classified->data,
             pipeline.preview(scan, parameters, Preview::half).classified->data);
   changed.classification.lowPass = 1.2;
   EXPECT_EQ(computed(pipeline.run(scan, changed, Goal::points)),
-            (std::vector<std::string>{"low-pass", "classification", "points"}));
+            (std::vector<std::string>{"low-pass", "classification", "points", "evidence"}));
 }
 
 // A cut or an eraser asks for new points, not for a new classification; going back costs nothing.
@@ -154,7 +154,7 @@ TEST_F(PipelineTest, TheRegionReachesThePointsAlone) {
   Parameters cut = parameters;
   cut.region.cutLow[0] = 9;  // the middle of the ball
   const Results half = pipeline.run(scan, cut, Goal::points);
-  EXPECT_EQ(computed(half), std::vector<std::string>{"points"});
+  EXPECT_EQ(computed(half), (std::vector<std::string>{"points", "evidence"}));
   EXPECT_EQ(half.classified, whole.classified);
   EXPECT_EQ(half.isoValue, whole.isoValue);
   EXPECT_NEAR(double(half.points->size()), 0.5 * double(whole.points->size()),
@@ -167,7 +167,7 @@ TEST_F(PipelineTest, TheRegionReachesThePointsAlone) {
   erased.erased = mask;
   erased.erasedKey = Hasher("left half").key();
   const Results right = pipeline.run(erased, parameters, Goal::points);
-  EXPECT_EQ(computed(right), std::vector<std::string>{"points"});
+  EXPECT_EQ(computed(right), (std::vector<std::string>{"points", "evidence"}));
   for (const glm::vec3& p : right.points->positions) EXPECT_GT(p.x, 8.5f);
 
   const Results back = pipeline.run(scan, parameters, Goal::points);
