@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNear = 20, kTouching = 3;  // mm between parts
 // Shares of the view, and of its middle, below which a part is hidden.
-constexpr double kSeen = 0.025, kSeenMiddle = 0.01;
+constexpr double kSeen = 0.018, kSeenMiddle = 0.01;
 constexpr double kLeastArea = 40, kScrap = 300;  // mm²
 constexpr double kJoins = 0.8;                   // border with what is kept, by the root of the part's area
 constexpr double kStrand = 1 / 5.5;              // 1/mm: curvature of strands 5.5 mm thick
