@@ -60,7 +60,8 @@ void fields(F&& f, O& o) {
   f(Field{"isoValue", "grey value at the border of the skin; 0 finds one from the volume", "", "v_iso"},
     o.isoValue, Range{0.0, 1.0});
   f(Field{"isoShare",
-          "where isoValue is 0: how far it lies on the way from the grey of the fluid to that of the steepest edges around",
+          "where isoValue is 0: how far it lies on the way from the grey of the fluid to that of the "
+          "steepest edges around",
           "", "s"},
     o.isoShare, Range{0.05, 1.5});
   f(Field{"rawShare", "share of the raw volume, against the low-passed one, in the iso-value term", "", "w"},

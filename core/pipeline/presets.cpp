@@ -110,6 +110,10 @@ void applyPreset(const Preset& preset, Parameters& parameters) {
   parameters.classification = {};
   parameters.surface = {};
   parameters.reconstruction = {};
+  const MeshOptions usual;  // of the mesh, presets change the border alone
+  parameters.mesh.density = usual.density;
+  parameters.mesh.narrowest = usual.narrowest;
+  parameters.mesh.fillHoles = usual.fillHoles;
   preset.change(parameters);
 }
 

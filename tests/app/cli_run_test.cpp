@@ -138,7 +138,7 @@ TEST(RunCommand, AMaskTellsWhatWasScanned) {
   const ProgramResult result = sonoskin(withSmall(
       {"run", "phantom", "--out", (folder / "out").string(), "--mask", file, "--json", "--size", "64x64"}));
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_GT(nlohmann::json::parse(result.out)["echo_offset_mm"].get<double>(), 0.2);
+  EXPECT_GT(nlohmann::json::parse(result.out)["edge"]["depth_mm"].get<double>(), 0.2);
   const Mesh mesh = readMesh(folder / "out/mesh.ply");
   ASSERT_GT(mesh.positions.size(), 1000u);
   for (const glm::vec3& p : mesh.positions) EXPECT_LT(p.x, 58 * 1.2f + 2);

@@ -51,7 +51,8 @@ TEST(FillHoles, LargerHolesAndOuterBordersStay) {
   const Mesh open = withoutCap(4, 10, 8.66f);
   const Mesh same = fillHoles(open, {9, Outline::fill});
   EXPECT_EQ(same.triangles, open.triangles);
-  EXPECT_EQ(fillHoles(open, {1e9, Outline::keep}).triangles, open.triangles);  // its only border is the outer one
+  EXPECT_EQ(fillHoles(open, {1e9, Outline::keep}).triangles,
+            open.triangles);  // its only border is the outer one
 }
 
 TEST(FillHoles, OfTwoBordersTheOuterOneStays) {

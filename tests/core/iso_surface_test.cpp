@@ -210,8 +210,9 @@ TEST(IsoSurface, ATongueOfSparsePointsIsCutOff) {
 }
 
 TEST(IsoSurface, AHoleInThePointsIsClosedAndMarked) {
-  const SurfacePoints points = chosen(spherePoints(20000, 40, 0.05),
-                                      [](const glm::vec3& p) { return p.z < 0 || std::hypot(p.x, p.y) > 4.2f; });
+  const SurfacePoints points = chosen(spherePoints(20000, 40, 0.05), [](const glm::vec3& p) {
+    return p.z < 0 || std::hypot(p.x, p.y) > 4.2f;
+  });
   const CsrbfModel model = fitCsrbf(points, {});
   MeshOptions options = coarse(120);
   options.maxGap = 6;

@@ -89,7 +89,7 @@ TEST(ParameterUse, WithoutEnhancementItsParametersAreUnused) {
 TEST(ParameterUse, AFitIgnoresWhatItIsSaidToIgnore) {
   SurfacePoints points = spherePoints(5000, 10, 0.1);
   for (std::size_t i = 0; i < points.size(); i += 2) points.confidence[i] = 0.3f;
-  points.noise.assign(points.size(), 0.5f);
+  points.noise.assign(points.size(), 0.02f);
   const auto outcome = [&](const ReconstructionOptions& o) {
     const CsrbfModel model = fitCsrbf(points, o);
     double sum = 0;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "core/base/error.h"
@@ -118,11 +120,19 @@ TEST(Thinning, FacingKeepsTheSideTowardTheProbe) {
   const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
   auto options = everywhere();
   options.facing = 0.1;
+  options.sides = 0;
   ScanFrame frame;
   frame.beam.axis = {0, 1, 0};
   const auto found = thin(shell.u, shell.v, frame, options);
   ASSERT_GT(found.size(), 800u);
   for (const auto& s : found) EXPECT_LT(double(s.position.y), shell.centre.y);
+  // For growSides() what does not face the probe is there too, and says so; the far end of the shell is not.
+  options.sides = 3;
+  const auto withSides = thin(shell.u, shell.v, frame, options);
+  EXPECT_EQ(std::ranges::count_if(withSides, [](const SurfaceVoxel& s) { return s.facing > 0.1f; }),
+            std::ptrdiff_t(found.size()));
+  EXPECT_GT(withSides.size(), found.size() + 400);
+  for (const auto& s : withSides) EXPECT_LT(double(s.position.y), shell.centre.y + 0.8 * 15);
 }
 
 TEST(Thinning, NothingIsFoundNearTheSidesOfTheView) {
