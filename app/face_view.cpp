@@ -11,7 +11,7 @@ using glm::vec3;
 
 vec3 forwardOf(const FaceFit* face, const vec3& beam) {
   if (!face) return beam;
-  constexpr float kMost = 0.4363f;  // 25 degrees
+  constexpr float kMost = 0.2094f;  // 12 degrees
   const float angle = std::acos(std::clamp(glm::dot(-face->front, beam), -1.f, 1.f));
   if (angle <= kMost) return -face->front;
   const float sine = std::sin(angle);

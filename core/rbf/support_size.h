@@ -18,9 +18,9 @@ struct SupportRule {
   // atNoise: the rule for a place whose points lie `noise` mm off, one by one. The second term of E_SA then is the
   // variance of a fit to points whose errors belong together over a resolution cell, and E_SA the expected squared error.
   SupportRule atNoise(double noise) const {
-    constexpr double kResolution = 0.035;  // mm; calibrated on simulated and real scans
+    constexpr double kResolution = 0.053;  // of the smallest support; calibrated on simulated and real scans
     SupportRule rule = *this;
-    rule.smoothness = smoothness / 2e-5 * kResolution * noise / diagonal;
+    rule.smoothness = smoothness / 2e-5 * kResolution * smallest * noise / diagonal;
     return rule;
   }
 

@@ -16,11 +16,13 @@ constexpr int kPad = 6;          // more of them, for the derivative
 constexpr float kSample = 0.5f;  // smallest spacings between samples
 constexpr float kSlopeSigma =
     2;  // samples: the Gaussian whose derivative takes the slope, one smallest spacing
-constexpr float kAround = 1.2f;                             // mm: neighbours whose slopes are averaged
-constexpr float kMedianAround = 1.5f, kNoiseAround = 2.5f;  // mm
-constexpr float kLikely = 1.2f;    // mm: how far from the mean profile's edge one lies
-constexpr float kStep = 0.5f;      // mm: more than neighbours differ
-constexpr float kSameSide = 0.5f;  // least cosine between the normals of neighbours
+constexpr float kAroundVoxels =
+    2;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
+constexpr float kMedianAround = 1.25f, kNoiseAround = 2;  // of that
+constexpr float kLeastAround = 1.2f;                      // mm
+constexpr float kLikely = 1.2f;                           // mm: how far from the mean profile's edge one lies
+constexpr float kStep = 0.5f;                             // mm: more than neighbours differ
+constexpr float kSameSide = 0.5f;                         // least cosine between the normals of neighbours
 constexpr double kWidthOfVoxels =
     1.2;  // smallest spacings: what sampling and averaging add to an edge's width, squared
 constexpr float kLeastSlope = 1e-4f;
@@ -49,6 +51,8 @@ float peakAround(const Profile& values, int at) {
   return bend < 0 ? float(at) + std::clamp(0.5f * (before - after) / bend, -0.5f, 0.5f) : float(at);
 }
 
+float voxelSize(const Geometry& g) { return float(std::cbrt(g.spacing.x * g.spacing.y * g.spacing.z)); }
+
 float medianOf(std::vector<float>& values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -62,7 +66,8 @@ class Edges {
   Edges(const SurfacePoints& points, const Volume<float>& volume)
       : volume_(volume),
         sample_(kSample * float(volume.geometry.minSpacing())),
-        grid_(points.positions, kAround),
+        around_(std::max(kLeastAround, kAroundVoxels * voxelSize(volume.geometry))),
+        grid_(points.positions, around_),
         position_(points.size()),
         normal_(points.size()),
         grey_(points.size()),
@@ -113,7 +118,7 @@ class Edges {
     forEachPoint(progress, [&](std::size_t s) {
       thread_local std::vector<float> around;
       around.clear();
-      forEachNeighbour(s, kMedianAround,
+      forEachNeighbour(s, kMedianAround * around_,
                        [&](std::size_t o, float outward, float) { around.push_back(place_[o] - outward); });
       const float median = medianOf(around);
       calm[s] = std::abs(place_[s] - median) * sample_ > kStep ? median : place_[s];
@@ -132,7 +137,7 @@ class Edges {
     forEachPoint(progress.part(0.5, 1), [&](std::size_t s) {
       thread_local std::vector<float> around;
       around.clear();
-      forEachNeighbour(s, kNoiseAround,
+      forEachNeighbour(s, kNoiseAround * around_,
                        [&](std::size_t o, float, float) { around.push_back(difference[o]); });
       noise[s] = kFromMedian * medianOf(around) * sample_;
     });
@@ -188,7 +193,7 @@ class Edges {
   // The mean slope around a point: a neighbour that lies outward has its edge as much deeper.
   Profile slopeAround(std::size_t s) const {
     Profile sum{};
-    forEachNeighbour(s, kAround, [&](std::size_t o, float outward, float weight) {
+    forEachNeighbour(s, around_, [&](std::size_t o, float outward, float weight) {
       const int whole = int(std::floor(outward));
       const float part = outward - float(whole);
       const Profile& slope = slope_[o];
@@ -214,7 +219,7 @@ class Edges {
   }
 
   const Volume<float>& volume_;
-  float sample_;  // mm
+  float sample_, around_;  // mm
   PointGrid grid_;
   std::vector<glm::vec3> position_, normal_;
   std::vector<Profile> grey_, slope_;

@@ -23,7 +23,7 @@ struct EdgeProfile {
 //   volume    the recorded one, not low-passed
 //   output    the mean profile; all zero, and the points as they were, where the grey rises nowhere
 //   method    The slope of the grey along each normal (derivative of a Gaussian of one smallest spacing) is averaged over
-//             the neighbours within kAround on the same side, each shifted to its own depth; its greatest value is the
+//             the neighbours within two voxels' size, 1.2 mm at least, on the same side, each shifted to its own depth; its greatest value is the
 //             edge [Canny 1986: the maximum of the gradient along it], weighed by a Gaussian of kLikely around the edge of
 //             the mean profile, so that bone behind the skin does not win. A place that differs from the median of its
 //             neighbours' by more than kStep is taken from that. The noise is what the places of single slopes differ from
