@@ -6,8 +6,8 @@ namespace sonoskin {
 
 // MergeRules: when two regions of a surface are one part. Contacts between them that are longer than a strand's girth
 // count together, shorter ones by themselves: many strands are necks as one is.
-//   crease      rad: a person would cut along a border that is hollower than this in the mean. On four real faces nose,
-//               lips and lids come to 0.6 at most, arms and cheeks to 0.85 at least
+//   crease      rad: a person would cut along a border that is hollower than this in the mean. On real faces nose,
+//               lips and lids mostly lie below 0.6, arms and cheeks above 0.85
 //   neck        a contact shorter than this share of the root of the smaller region's area is a neck, and costs up to 1 rad
 //   strand      mm: so is one shorter than this, the girth of a strand about 4 mm thick
 //   smallArea   mm²: regions smaller than this are no parts of their own
