@@ -24,7 +24,7 @@ constexpr float kLikely = 1.2f;                           // mm: how far from th
 constexpr float kStep = 0.5f;                             // mm: more than neighbours differ
 constexpr float kSameSide = 0.5f;                         // least cosine between the normals of neighbours
 constexpr double kWidthOfVoxels =
-    1.35;  // smallest spacings: what sampling and averaging add to an edge's width, squared
+    1.2;  // smallest spacings: what sampling and averaging add to an edge's width, squared
 constexpr float kLeastSlope = 1e-4f;
 constexpr std::size_t kBatch = 256;
 constexpr std::size_t kCount = 2 * kReach + 1;

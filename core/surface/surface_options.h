@@ -35,7 +35,7 @@ struct SurfaceOptions {
   double borderMargin = 4;
   double firstHit = 15;
   bool offsetCorrection = true;
-  double skinDepth = 0.73;
+  double skinDepth = 0.7;
 };
 
 template <class F, class O>
