@@ -32,7 +32,7 @@ FieldsEdit drawGroup(const Group& group, Options& options, const Rows& rows, con
 }
 
 // What was measured across the surface, and how far the points were moved onto it.
-void drawEchoOffset(const Results& results) {
+void drawEdge(const Results& results) {
   if (results.points && results.edge.width > 0)
     ImGui::TextDisabled("Edge: grey %.2f to %.2f in %.1f mm; points moved %.2f mm, onto the skin",
                         results.edge.dark, results.edge.bright, results.edge.width,
@@ -61,7 +61,7 @@ void drawMorePanel(Workspace& workspace) {
         if (std::find(kElsewhere.begin(), kElsewhere.end(), group.name) != kElsewhere.end()) return;
         const Rows rows{{}, false, useOf(parameters, group.name)};
         edit |= drawGroup(group, options, rows, [&] {
-          if (group.name == "surface") drawEchoOffset(workspace.session.results());
+          if (group.name == "surface") drawEdge(workspace.session.results());
           if (group.name == "face") drawFace(workspace);
           if (group.name == "phantom") simulate = ImGui::Button("Simulate again", {-1, 0});
         });

@@ -35,7 +35,7 @@ double leastFacing(const SurfaceOptions& options);
 //               longest axis; bilinear. One side may tie, so that a plateau of u gives one sheet: its dark side.
 //   sub-voxel   parabola through the three values of 1/u, at most three quarters of a step
 //   facing      keeps dark to bright along the beam: grad v~ . beam > facing |grad v~|; where options.sides are wanted,
-//               down to kSidesFacing, so that growSides() can choose
+//               down to -0.7, so that growSides() can choose
 //   border      keeps what is at least borderMargin smallest spacings inside the field of view
 //   output      in the order of the voxels
 //   cost        467x255x124: 45 ms of one core; 28 bytes per voxel kept
