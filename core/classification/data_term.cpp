@@ -44,7 +44,7 @@ void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const
   const int count = raw.geometry.dims.x;
   thread_local std::vector<float> isoRow;
   isoRow.assign(std::size_t(count), float(o.isoValue));
-  if (o.isoValue <= 0) levels.row(o.isoShare, j, k, count, isoRow.data());
+  if (o.isoValue <= 0) levels.isoRow(o.isoShare, j, k, count, isoRow.data());
   const float* iso = isoRow.data();
 #pragma omp simd
   for (int i = 0; i < count; ++i) {

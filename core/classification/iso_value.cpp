@@ -20,6 +20,11 @@ constexpr double kAround = 8;         // mm: standard deviation of the mean over
 constexpr double kFewEdges =
     0.02;  // of the weight in the richest places: what the whole volume's grey weighs
 
+constexpr float kBlack = 0.02f;  // grey: a few steps of 8-bit data after the low-pass
+constexpr float kSomeBlack = 0.35f,
+                kAllBlack = 0.7f;          // shares of black fluid from which it counts, and counts in full
+constexpr double kShareInBlack = 1 / 3.0;  // of the share that noisy fluid needs
+
 struct Sample {
   float grey, gradient;
   glm::ivec3 voxel;
@@ -68,13 +73,14 @@ float steep(const std::vector<Sample>& samples) {
   return *border;
 }
 
-// The mean of what `weight` gives each sample; `otherwise` where nothing has weight.
-template <class Weight>
-double meanGrey(const std::vector<Sample>& samples, double otherwise, const Weight& weight) {
+// The mean of `value` over the samples, each with its weight; `otherwise` where nothing has weight.
+template <class Weight, class Value>
+double meanOf(const std::vector<Sample>& samples, double otherwise, const Weight& weight,
+              const Value& value) {
   double sum = 0, weights = 0;
   for (const Sample& s : samples) {
     const double w = weight(s);
-    sum += w * double(s.grey), weights += w;
+    sum += w * value(s), weights += w;
   }
   return weights > 0 ? sum / weights : otherwise;
 }
@@ -129,6 +135,12 @@ Between cellsAround(int voxel, float size, int count) {
   return {first, std::min(first + 1, count - 1), at - float(first)};
 }
 
+// What an iso-value's share of the way is multiplied with where so much of the fluid is black.
+double factorFor(float black) {
+  return std::lerp(1.0, kShareInBlack,
+                   std::clamp(double((black - kSomeBlack) / (kAllBlack - kSomeBlack)), 0.0, 1.0));
+}
+
 }  // namespace
 
 void EdgeField::row(int j, int k, int count, float* out) const {
@@ -155,23 +167,26 @@ float GreyLevels::between(double share) const {
   return std::clamp(fluid + float(share) * (edge - fluid), 0.02f, 0.98f);
 }
 
-void GreyLevels::row(double share, int j, int k, int count, float* out) const {
+float GreyLevels::iso(double share) const { return between(share * factorFor(black)); }
+
+void GreyLevels::isoRow(double share, int j, int k, int count, float* out) const {
   if (!edges) {
-    std::fill_n(out, count, between(share));
+    std::fill_n(out, count, iso(share));
     return;
   }
   edges->row(j, k, count, out);
-  for (int i = 0; i < count; ++i) out[i] = std::clamp(fluid + float(share) * (out[i] - fluid), 0.02f, 0.98f);
+  const auto part = float(share * factorFor(black));
+  for (int i = 0; i < count; ++i) out[i] = std::clamp(fluid + part * (out[i] - fluid), 0.02f, 0.98f);
 }
 
 IsoRange isoRangeOf(const GreyLevels& levels, double share) {
   IsoRange range{double(levels.fluid), double(levels.edge)};
-  range.least = range.most = double(levels.between(share));
+  range.least = range.most = double(levels.iso(share));
   if (!levels.edges) return range;
   const auto [low, high] = std::ranges::minmax_element(levels.edges->grey);
   GreyLevels local = levels;
-  local.edge = *low, range.least = double(local.between(share));
-  local.edge = *high, range.most = double(local.between(share));
+  local.edge = *low, range.least = double(local.iso(share));
+  local.edge = *high, range.most = double(local.iso(share));
   return range;
 }
 
@@ -180,11 +195,15 @@ GreyLevels proposeLevels(const Volume<float>& lowPassed, const FieldOfView& view
   const std::vector<Sample> samples = takeSamples(lowPassed, view, beam);
   if (samples.empty()) return levels;
   const float least = steep(samples);
-  levels.edge = float(meanGrey(samples, 0.5, [&](const Sample& s) {
+  const auto grey = [](const Sample& s) { return double(s.grey); };
+  const auto isEdge = [&](const Sample& s) {
     return s.facing && s.gradient >= least ? double(s.gradient) : 0.0;
-  }));
-  levels.fluid =
-      float(meanGrey(samples, 0, [&](const Sample& s) { return s.grey < levels.edge ? 1.0 : 0.0; }));
+  };
+  levels.edge = float(meanOf(samples, 0.5, isEdge, grey));
+  const auto isDark = [&](const Sample& s) { return s.grey < levels.edge ? 1.0 : 0.0; };
+  levels.fluid = float(meanOf(samples, 0, isDark, grey));
+  levels.black =
+      float(meanOf(samples, 0, isDark, [](const Sample& s) { return s.grey < kBlack ? 1.0 : 0.0; }));
   levels.edges = edgesAround(samples, lowPassed.geometry, levels);
   return levels;
 }

@@ -26,14 +26,19 @@ struct EdgeField {
 //   fluid  grey of the fluid and the shadows
 //   edge   grey at the steepest edges of the whole volume
 //   edges  the same from place to place; empty where the volume has none
+//   black  share of what is darker than the edge that is as good as black: nearly all where a scanner cut the fluid off
 struct GreyLevels {
   float fluid = 0, edge = 0.3f;
   std::shared_ptr<const EdgeField> edges{};
+  float black = 0;
 
   // between: the grey that lies so far on the way from the fluid to the edges, in [0.02, 0.98].
   float between(double share) const;
-  // row: the same from place to place, at the voxels (0 .. count - 1, j, k).
-  void row(double share, int j, int k, int count, float* out) const;
+  // iso: the iso-value of the whole volume. Where the fluid is black a third of `share` is enough: no noise has to be
+  // kept out, and faint skin is kept.
+  float iso(double share) const;
+  // isoRow: the same from place to place, at the voxels (0 .. count - 1, j, k).
+  void isoRow(double share, int j, int k, int count, float* out) const;
 };
 
 // IsoRange: what an iso-value was found from, for people. Grey, in [0, 1].
@@ -45,7 +50,7 @@ struct IsoRange {
   bool automatic = true;
 };
 
-// isoRangeOf: for iso-values that lie `share` of the way from fluid to edge.
+// isoRangeOf: of GreyLevels::iso and isoRow.
 IsoRange isoRangeOf(const GreyLevels& levels, double share);
 
 // proposeLevels: from the volume.

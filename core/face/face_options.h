@@ -17,7 +17,8 @@ template <class F, class O>
 requires OptionsOf<O, FaceOptions>
 void fields(F&& f, O& o) {
   f(Field{"find",
-          "look for eyes, nose, mouth and chin: for the colour of lips, lids and cheeks and for the view"},
+          "look for eyes, nose, mouth and chin: for the colour of lips, lids and cheeks, for the view, and "
+          "for the parts that are kept"},
     o.find);
   f(Field{"confidence", "a face that is less certain than this is not used; 1: none is"}, o.confidence,
     Range{0.0, 1.0});

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/parallel.h"
 #include "core/mesh/components.h"
 #include "core/mesh/half_edges.h"
 #include "core/mesh/hole_fairing.h"
@@ -26,9 +27,8 @@ class BorderEdges {
       for (const std::uint32_t h : loop) isBorder[originOf(mesh.triangles, h)] = true;
     for (const Triangle& t : mesh.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (isBorder[t[i]] && isBorder[t[(i + 1) % 3]]) add(t[i], t[(i + 1) % 3]);
+        if (isBorder[t[i]] && isBorder[t[(i + 1) % 3]]) edges_.insert(keyOf(t[i], t[(i + 1) % 3]));
   }
-  void add(std::uint32_t a, std::uint32_t b) { edges_.insert(keyOf(a, b)); }
   bool has(std::uint32_t a, std::uint32_t b) const { return edges_.contains(keyOf(a, b)); }
 
  private:
@@ -262,17 +262,14 @@ class Hole {
 };
 
 // Adds a patch to the mesh; the vertices of its loop are there already.
-void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch& patch, BorderEdges& edges) {
+void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch& patch) {
   std::vector<std::uint32_t> number = loop;
   for (std::size_t i = loop.size(); i < patch.points.size(); ++i) {
     number.push_back(std::uint32_t(mesh.positions.size()));
     mesh.positions.emplace_back(patch.points[i]);
   }
-  for (const Triangle& t : patch.triangles) {
+  for (const Triangle& t : patch.triangles)
     mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-    for (std::size_t i = 0; i < 3; ++i)
-      if (t[i] < loop.size() && t[(i + 1) % 3] < loop.size()) edges.add(loop[t[i]], loop[t[(i + 1) % 3]]);
-  }
 }
 
 // Normals, visibility, labels and measured of the vertices from `first` on.
@@ -297,17 +294,21 @@ Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& pro
   const std::vector<Loop> holes = holesOf(filled, borderLoops(filled.triangles, opposite), options);
   if (holes.empty()) return filled;
   filled.cornerUvs.clear();  // no picture has a place for what is new
-  BorderEdges edges(filled, holes);
+  const BorderEdges edges(filled, holes);
   const Mesh before = filled, near = surroundingsOf(before, holes);
   const TriangleTree tree(near);
   progress.update(0.1);
-  for (std::size_t l = 0; l < holes.size(); ++l) {
-    const Hole hole(before, opposite, holes[l]);
-    const double from = 0.1 + 0.9 * double(l) / double(holes.size());
-    const double to = 0.1 + 0.9 * double(l + 1) / double(holes.size());
-    const HolePatch patch = hole.fill(edges, {near, tree}, progress.part(from, to));
-    append(filled, hole.vertices(), patch, edges);
-  }
+  // Patches do not meet: every vertex of a border lies on one loop, and a chord joins vertices of one loop.
+  std::vector<HolePatch> patches(holes.size());
+  parallelFor(
+      std::ptrdiff_t(holes.size()),
+      [&](std::ptrdiff_t l) {
+        patches[std::size_t(l)] =
+            Hole(before, opposite, holes[std::size_t(l)]).fill(edges, {near, tree}, progress.cancelOnly());
+      },
+      progress.part(0.1, 0.95));
+  for (std::size_t l = 0; l < holes.size(); ++l)
+    append(filled, Hole(before, opposite, holes[l]).vertices(), patches[l]);
   completeVertices(filled, before.positions.size());
   progress.update(1);
   return filled;

@@ -10,7 +10,7 @@ namespace {
 
 using IsAllowed = std::function<bool(std::uint32_t, std::uint32_t)>;
 
-constexpr double kManyPoints = 10000;
+constexpr double kManyPoints = 1500;
 
 // Swapper: swaps the sides of a patch's triangles.
 class Swapper {

@@ -30,7 +30,7 @@ struct MeshOptions {
   int pieceIndex = 0;
   std::array<double, 3> piecePoint{0, 0, 0};
   double minArea = 0;
-  double fillHoles = 15;
+  double fillHoles = 25;
   int smoothing = 0;
   int triangles = 0;
   PartsChoice parts = PartsChoice::automatic;

@@ -35,6 +35,16 @@ LandmarkOptions landmarksWithFace(const Parameters& parameters, const FaceFit* f
   return landmarks;
 }
 
+std::optional<FaceSite> siteOf(const FaceFit* face, const FaceOptions& options) {
+  if (!isCertain(face, options)) return {};
+  FaceSite site;
+  for (const FacePoint& point : faceModel().points) {
+    site.places.push_back(face->placement.toWorld(face->placement.inHead(point)));
+    site.normals.push_back(face->placement.normal(point));
+  }
+  return site;
+}
+
 std::string faceText(const FaceFit* face, const FaceOptions& options) {
   if (!face) return {};
   if (!isCertain(face, options))

@@ -10,6 +10,7 @@
 #include "core/mesh/print_solid.h"
 #include "core/pipeline/check_ranges.h"
 #include "core/pipeline/choose_piece.h"
+#include "core/pipeline/face_use.h"
 #include "core/pipeline/kept_parts.h"
 #include "core/pipeline/prepared.h"
 #include "core/pipeline/scan_doubts.h"
@@ -29,7 +30,7 @@ constexpr double kVisibleShare = 0.6;  // of the way from the fluid to the edges
 
 // The iso-value that is given, or the one of the whole volume that was found.
 double isoValueOf(const ClassificationOptions& options, const GreyLevels& levels) {
-  return options.isoValue > 0 ? options.isoValue : double(levels.between(options.isoShare));
+  return options.isoValue > 0 ? options.isoValue : double(levels.iso(options.isoShare));
 }
 
 // What it was found from.
@@ -38,7 +39,7 @@ IsoRange isoRangeOf(const ClassificationOptions& options, const GreyLevels& leve
   if (options.isoValue > 0) range.least = range.most = options.isoValue, range.automatic = false;
   // The thesis' formulations know one iso-value for the whole volume.
   else if (options.formulation != Formulation::variational)
-    range.least = range.most = double(levels.between(options.isoShare));
+    range.least = range.most = double(levels.iso(options.isoShare));
   return range;
 }
 
@@ -299,15 +300,18 @@ Key Pipeline::Stages::choose(const Way& way, const Prepared& from, const Key& pi
   const MeshOptions& options = way.parameters.mesh;
   const glm::dvec3 middle = centreOf(way.scan.volume->geometry);
   const bool inParts = cutsParts(options);
-  const Key partsKey = partsKeyOf(piecesKey, options),
-            key = pieceKeyOf(inParts ? partsKey : piecesKey, options);
+  const Key partsKey = partsKeyOf(piecesKey, options);
+  const Key key =
+      pieceKeyOf(inParts ? keyOf("parts and face", partsKey, way.parameters.face) : piecesKey, options);
   if (inParts)
     way.results.parts = way.run.stage("parts", 0.99 * until, parts, partsKey, [&](const Progress& p) {
       return partSurface(*way.results.pieces, options, p);
     });
   const auto chosen = way.run.stage("piece", until, piece, key, [&](const Progress& p) {
     if (!inParts) return KeptParts{choosePiece(*way.results.pieces, options, from.beam, middle), {}};
-    return keepAsAsked(*way.results.parts, options, {from.beam, middle, options.companions}, p);
+    const PartView view{from.beam, middle, options.companions,
+                        siteOf(way.results.face.get(), way.parameters.face)};
+    return keepAsAsked(*way.results.parts, options, view, p);
   });
   way.results.mesh = std::shared_ptr<const Mesh>(chosen, &chosen->mesh);
   if (inParts)

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/point_grid.h"
+#include "core/surface/skin_depth.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
@@ -20,11 +21,11 @@ constexpr float kAroundVoxels =
     2;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
 constexpr float kMedianAround = 1.25f, kNoiseAround = 2;  // of that
 constexpr float kLeastAround = 1.2f;                      // mm
-constexpr float kLikely = 1.2f;                           // mm: how far from the mean profile's edge one lies
+constexpr float kLikely = 2.0f;                           // mm: how far from the mean profile's edge one lies
 constexpr float kStep = 0.5f;                             // mm: more than neighbours differ
 constexpr float kSameSide = 0.5f;                         // least cosine between the normals of neighbours
 constexpr double kWidthOfVoxels =
-    1.2;  // smallest spacings: what sampling and averaging add to an edge's width, squared
+    1.45;  // smallest spacings: what sampling and averaging add to an edge's width, squared
 constexpr float kLeastSlope = 1e-4f;
 constexpr std::size_t kBatch = 256;
 constexpr std::size_t kCount = 2 * kReach + 1;
@@ -146,12 +147,12 @@ class Edges {
 
   EdgeProfile meanProfile() const;
 
-  // Moves the points to their places and `depth` mm farther.
-  void move(SurfacePoints& points, double depth, const std::vector<float>& noise) const {
+  // Moves the points to their places.
+  void move(SurfacePoints& points, const std::vector<float>& noise) const {
     points.noise.resize(points.size());
     for (std::size_t s = 0; s < place_.size(); ++s) {
       const std::size_t p = grid_.order()[s];
-      points.positions[p] -= (place_[s] * sample_ + float(depth)) * normal_[s];
+      points.positions[p] -= place_[s] * sample_ * normal_[s];
       points.noise[p] = noise[s];
     }
   }
@@ -275,7 +276,8 @@ EdgeProfile placeOnEdges(SurfacePoints& points, const Volume<float>& volume, dou
   edges.dropOutliers(progress.part(0.6, 0.8));
   EdgeProfile profile = edges.meanProfile();
   profile.depth = depthShare * profile.width;
-  edges.move(points, profile.depth, edges.measureNoise(progress.part(0.8, 1)));
+  edges.move(points, edges.measureNoise(progress.part(0.8, 0.9)));
+  moveOntoSkin(points, float(profile.depth), progress.part(0.9, 1));
   progress.update(1);
   return profile;
 }

@@ -56,6 +56,7 @@ std::vector<SurfaceVoxel> findVoxels(const SurfaceInput& input, const SurfaceOpt
   }
   voxels = dropLooseLobes(voxels, geometry, options);
   voxels = growSides(voxels, sides, geometry, options.sides);
+  if (options.sides > 0) voxels = dropBareSides(voxels, geometry, input.frame.beam);
   progress.update(0.9);
   return options.firstHit > 0 ? firstHits(voxels, progress.part(0.9, 1)) : voxels;
 }

@@ -5,6 +5,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "core/base/parallel.h"
+
 namespace sonoskin {
 namespace {
 
@@ -29,6 +31,46 @@ std::vector<Step> stepsOf(const Geometry& geometry) {
           steps.push_back({{i, j, k}, float(glm::length(glm::dvec3(i, j, k) * geometry.spacing))});
   return steps;
 }
+
+constexpr float kTurnedAway =
+    -0.2f;                     // cosine between beam and inward gradient below which the inside is seen
+constexpr float kBehind = 30;  // mm behind what faces the probe within which its other sides lie
+constexpr int kBatch = 256;
+
+// Fronts: where voxels lie that face the probe, each with those around it, so that small gaps do not count.
+class Fronts {
+ public:
+  Fronts(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry, const Beam& beam)
+      : geometry_(geometry), beams_(beam, geometry), isFront_(geometry.voxels(), false) {
+    constexpr int kAround = 2;
+    for (const SurfaceVoxel& v : voxels)
+      if (v.facing > 0) {
+        const glm::ivec3 low = glm::max(v.voxel - kAround, 0);
+        const glm::ivec3 high = glm::min(v.voxel + kAround, geometry.dims - 1);
+        for (int k = low.z; k <= high.z; ++k)
+          for (int j = low.y; j <= high.y; ++j)
+            for (int i = low.x; i <= high.x; ++i) isFront_[geometry.index(i, j, k)] = true;
+      }
+  }
+
+  bool liesBefore(const SurfaceVoxel& from) const {
+    const glm::vec3 spacing(geometry_.spacing), start = from.position * spacing;
+    const float step = float(geometry_.minSpacing());
+    const glm::vec3 back = -step * glm::normalize(beams_.towards(start));
+    for (int s = 1; float(s) * step < kBehind; ++s) {
+      const glm::ivec3 at(glm::round((start + float(s) * back) / spacing));
+      if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, geometry_.dims)))
+        return false;
+      if (isFront_[geometry_.index(at.x, at.y, at.z)]) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Geometry& geometry_;
+  LocalBeams beams_;
+  std::vector<bool> isFront_;
+};
 
 }  // namespace
 
@@ -63,6 +105,25 @@ std::vector<SurfaceVoxel> growSides(const std::vector<SurfaceVoxel>& kept,
     if (length[o] <= float(reach)) grown.push_back(others[o]);
   std::ranges::sort(grown, {}, [&](const SurfaceVoxel& v) { return indexOf(v.voxel); });
   return grown;
+}
+
+std::vector<SurfaceVoxel> dropBareSides(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
+                                        const Beam& beam, const Progress& progress) {
+  const Fronts fronts(voxels, geometry, beam);
+  std::vector<char> bare(voxels.size(), 0);
+  const auto count = std::ptrdiff_t(voxels.size());
+  parallelFor((count + kBatch - 1) / kBatch,
+              [&](std::ptrdiff_t batch) {
+                for (std::ptrdiff_t v = batch * kBatch; v < std::min(count, (batch + 1) * kBatch); ++v) {
+                  const SurfaceVoxel& voxel = voxels[std::size_t(v)];
+                  bare[std::size_t(v)] = voxel.facing < kTurnedAway && !fronts.liesBefore(voxel);
+                }
+              },
+              progress);
+  std::vector<SurfaceVoxel> kept;
+  for (std::size_t v = 0; v < voxels.size(); ++v)
+    if (!bare[v]) kept.push_back(voxels[v]);
+  return kept;
 }
 
 }  // namespace sonoskin

@@ -17,4 +17,13 @@ std::vector<SurfaceVoxel> growSides(const std::vector<SurfaceVoxel>& kept,
                                     const std::vector<SurfaceVoxel>& others, const Geometry& geometry,
                                     double reach);
 
+// dropBareSides: takes out what turns its back to the probe with nothing before it: the inside of a surface whose outside
+// was not recorded. What faces the probe, or nearly, stays; so does what lies behind something that does, such as the
+// underside of a finger.
+//   voxels   in the order of memory
+//   output   in the same order
+//   errors   Cancelled
+std::vector<SurfaceVoxel> dropBareSides(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
+                                        const Beam& beam, const Progress& progress = {});
+
 }  // namespace sonoskin

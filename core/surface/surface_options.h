@@ -31,11 +31,11 @@ struct SurfaceOptions {
   double lobeStrength = 0.6;
   double minClusterArea = 60;
   double facing = 0.1;
-  double sides = 3;
+  double sides = 5;
   double borderMargin = 4;
   double firstHit = 15;
   bool offsetCorrection = true;
-  double skinDepth = 0.7;
+  double skinDepth = 0.85;
 };
 
 template <class F, class O>

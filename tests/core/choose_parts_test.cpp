@@ -89,11 +89,57 @@ TEST_F(ChooseParts, ALargerShareLeavesTheFaceAlone) {
   EXPECT_FALSE(at(kHand, chooseParts(surface.mesh, surface.parts, view)).kept);
 }
 
+// A face's skin as it is expected: the side of a ball that faces the probe.
+FaceSite faceOn(const glm::vec3& centre, float radius) {
+  FaceSite face;
+  for (int i = -60; i <= 60; i += 10)
+    for (int j = -60; j <= 60; j += 10) {
+      const float u = glm::radians(float(i)), v = glm::radians(float(j));
+      const glm::vec3 out(std::sin(u) * std::cos(v), -std::cos(u) * std::cos(v), std::sin(v));
+      face.places.push_back(centre + radius * out);
+      face.normals.push_back(out);
+    }
+  return face;
+}
+
 TEST_F(ChooseParts, AFaceThatWasFoundDecides) {
-  view.face = FaceSite{kHand, {0, 0, 1}, 12, 0.9};
+  view.face = faceOn({40, 0, 0}, 16);
   EXPECT_EQ(reason(kHand), PartReason::face);
-  view.face->confidence = 0.3;
+  view.face = faceOn({0, 200, 0}, 16);  // where no part lies
   EXPECT_EQ(reason(kHead), PartReason::face);
+}
+
+// Half of a face behind a gap, such as a chin below a deep mouth: alone in the view it would be aside.
+TEST(ChoosePartsOnFace, KeepsWhatLiesOnTheFace) {
+  const auto cap = [](float low, float high) {  // a strip of the ball's front between two heights
+    Mesh strip;
+    constexpr int kAcross = 80, kUp = 60;
+    for (int i = 0; i <= kAcross; ++i)
+      for (int j = 0; j <= kUp; ++j) {
+        const float u = glm::radians(-60 + 120.f * float(i) / kAcross),
+                    z = low + (high - low) * float(j) / kUp;
+        const float r = std::sqrt(30 * 30 - z * z);
+        strip.positions.push_back({r * std::sin(u), -r * std::cos(u), z});
+      }
+    for (std::uint32_t i = 0; i < kAcross; ++i)
+      for (std::uint32_t j = 0; j < kUp; ++j) {
+        const std::uint32_t a = i * (kUp + 1) + j, b = a + kUp + 1;
+        strip.triangles.push_back({a, b, b + 1});
+        strip.triangles.push_back({a, b + 1, a + 1});
+      }
+    computeNormals(strip);
+    return strip;
+  };
+  const Mesh above = cap(-8, 28), chin = cap(-22, -13);
+  const PartedSurface surface = partSurface({above, chin}, {});
+  PartView view{Beam{{}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 0.5, {}};
+  const auto verdictOfChin = [&] {
+    return chooseParts(surface.mesh, surface.parts, view)[partAt(surface.mesh, surface.parts, {0, -24, -17})];
+  };
+  EXPECT_FALSE(verdictOfChin().kept);
+  view.face = faceOn({0, 0, 0}, 30);
+  EXPECT_EQ(verdictOfChin().reason, PartReason::onFace);
+  EXPECT_TRUE(verdictOfChin().kept);
 }
 
 TEST_F(ChooseParts, PlacesBringPartsBackAndTakeThemAway) {

@@ -71,6 +71,22 @@ TEST(IsoValue, OfAnEmptyVolumeIsInRange) {
   EXPECT_LE(iso, 0.98f);
 }
 
+// A scanner that cuts the fluid off leaves it black: a lower level keeps faint skin, and no noise comes in.
+TEST(IsoValue, LiesLowerWhereTheFluidIsBlack) {
+  const auto levelsOf = [](double fluid) {
+    return proposeLevels(
+        test::fill(beamOfVoxels(), [&](glm::dvec3 p) { return step(p.y, 150.5, fluid, 0.8); }), {}, {});
+  };
+  const GreyLevels black = levelsOf(0), grey = levelsOf(0.1);
+  EXPECT_GT(black.black, 0.9f);
+  EXPECT_EQ(grey.black, 0.f);
+  EXPECT_NEAR(grey.iso(0.6), grey.between(0.6), 1e-6);
+  EXPECT_NEAR(black.iso(0.6), black.between(0.2), 1e-6);
+  std::vector<float> row(16);
+  black.isoRow(0.6, 150, 8, 16, row.data());
+  EXPECT_NEAR(row[8], black.iso(0.6), 0.02);
+}
+
 // Skin that grows brighter along i: the level follows it, where that of the whole volume lies between.
 TEST(IsoValue, FollowsTheEdgesAround) {
   const auto skin = [](double i) { return 0.3 + 0.5 * i / 119; };
@@ -78,7 +94,7 @@ TEST(IsoValue, FollowsTheEdgesAround) {
       test::fill(test::grid({120, 80, 40}), [&](glm::dvec3 p) { return step(p.y, 40.5, 0.1, skin(p.x)); });
   const GreyLevels levels = proposeLevels(volume, {}, {});
   std::vector<float> row(120);
-  levels.row(1, 40, 20, 120, row.data());
+  levels.isoRow(1, 40, 20, 120, row.data());
   for (const int i : {15, 60, 104}) EXPECT_NEAR(row[std::size_t(i)], 0.5 * (0.1 + skin(i)), 0.03) << i;
 }
 
@@ -89,12 +105,12 @@ TEST(IsoValue, IsThatOfTheWholeVolumeWhereThereAreNoEdges) {
   });
   const GreyLevels levels = proposeLevels(volume, {}, {});
   std::vector<float> row(200);
-  levels.row(1, 20, 10, 200, row.data());
+  levels.isoRow(1, 20, 10, 200, row.data());
   EXPECT_NEAR(row[195], levels.edge, 0.01);
   EXPECT_LT(row[5], row[50]);
   const GreyLevels flat = proposeLevels(Volume<float>(test::grid({20, 20, 20}), 0.2f), {}, {});
-  flat.row(0.6, 3, 3, 20, row.data());
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(row[std::size_t(i)], flat.between(0.6));
+  flat.isoRow(0.6, 3, 3, 20, row.data());
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(row[std::size_t(i)], flat.iso(0.6));
 }
 
 // Bone shines brighter than the skin a centimetre before it, and does not count: no fluid lies before it.
@@ -104,7 +120,7 @@ TEST(IsoValue, FollowsTheSkinAndNotTheBoneBehindIt) {
     return step(j, 30.5, 0.1, 0.5) + step(j, 46.5, 0, 0.4);
   });
   std::vector<float> row(60);
-  proposeLevels(volume, {}, {}).row(1, 30, 15, 60, row.data());
+  proposeLevels(volume, {}, {}).isoRow(1, 30, 15, 60, row.data());
   EXPECT_NEAR(row[30], 0.3, 0.03);
 }
 

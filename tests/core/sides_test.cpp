@@ -41,5 +41,33 @@ TEST(GrowSides, MeasuresDiagonalSteps) {
   EXPECT_EQ(growSides(start, diagonal, geometry, 4.3).size(), 1u + 3u);  // three times the root of 2 is 4.24
 }
 
+// A voxel with a normal that looks along the beam or against it.
+SurfaceVoxel turned(glm::ivec3 at, float facing) { return {at, glm::vec3(at), 0.5f, facing}; }
+
+// The beams go along +y. Seen: a finger's front and its underside; a jaw's inside with nothing before it; a flank.
+TEST(DropBareSides, TakesOutInsidesThatTheProbeWouldSee) {
+  const Geometry geometry = test::grid({40, 60, 20}, {0.5, 0.5, 1});
+  const Beam beam{{}, {0, 1, 0}, {0, 0, 1}};
+  const SurfaceVoxel front = turned({10, 10, 10}, 0.9f), underside = turned({10, 20, 10}, -0.5f),
+                     beside = turned({12, 20, 10}, -0.5f),  // within two voxels of what lies behind the front
+      bare = turned({30, 20, 10}, -0.5f), flank = turned({31, 10, 10}, -0.1f),
+                     hiddenByABack = turned({30, 40, 10}, -0.5f);
+  const auto kept = dropBareSides({front, flank, underside, beside, bare, hiddenByABack}, geometry, beam);
+  ASSERT_EQ(kept.size(), 4u);
+  EXPECT_EQ(kept[1].voxel, flank.voxel);
+  EXPECT_EQ(kept[2].voxel, underside.voxel);
+  EXPECT_EQ(kept[3].voxel, beside.voxel);
+}
+
+TEST(DropBareSides, LooksBackAlongTheBeamsOfAnApex) {
+  const Geometry geometry = test::grid({60, 60, 20});
+  const SurfaceVoxel front = turned({20, 20, 10}, 0.9f), behind = turned({40, 40, 10}, -0.5f),
+                     below = turned({20, 40, 10}, -0.5f);
+  const Beam beam{glm::dvec3(0, 0, 10), {0, 1, 0}, {0, 0, 1}};
+  const auto kept = dropBareSides({front, behind, below}, geometry, beam);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[1].voxel, behind.voxel);
+}
+
 }  // namespace
 }  // namespace sonoskin

@@ -12,6 +12,9 @@ namespace {
 constexpr double kNear = 20, kTouching = 3;  // mm between parts
 // Shares of the view, and of its middle, below which a part is hidden.
 constexpr double kSeen = 0.018, kSeenMiddle = 0.01;
+constexpr float kOnFace = 5,
+                kSameSide = 0.5f;    // mm from a face that was found; least cosine between the normals
+constexpr double kMostOnFace = 0.5;  // of a part's area
 constexpr double kLeastArea = 40, kScrap = 300;  // mm²
 constexpr double kJoins = 0.8;                   // border with what is kept, by the root of the part's area
 constexpr double kStrand = 1 / 5.5;              // 1/mm: curvature of strands 5.5 mm thick
@@ -77,23 +80,31 @@ class Neighbours {
   PointGrid grid_;
 };
 
-// The part with most area around a face that was found.
-std::size_t partAt(const SurfaceParts& parts, const Neighbours& all, const FaceSite& face) {
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t p = 0; p < parts.parts.size(); ++p) {
-    double area = 0;
+// The area of each part that lies on a face, mm².
+std::vector<double> areasOnFace(const SurfaceParts& parts, const Neighbours& all, const FaceSite& face) {
+  const PointGrid grid(face.places, kOnFace);
+  const auto isOnFace = [&](std::uint32_t patch) {
+    const glm::vec3& centre = parts.graph.patches.centre[patch];
+    bool found = false;
+    grid.forEachRun(centre, kOnFace, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t s = first; s < last && !found; ++s) {
+        const std::uint32_t at = grid.order()[s];
+        const glm::vec3 away = centre - face.places[at];
+        found = glm::dot(away, away) < kOnFace * kOnFace &&
+                glm::dot(parts.graph.normal[patch], face.normals[at]) > kSameSide;
+      }
+    });
+    return found;
+  };
+  std::vector<double> areas(parts.parts.size(), 0);
+  for (std::size_t p = 0; p < areas.size(); ++p)
     for (const std::uint32_t patch : all.patches(p))
-      if (double(glm::distance(parts.graph.patches.centre[patch], face.centre)) < 0.7 * face.radius)
-        area += double(parts.graph.area[patch]);
-    if (area > most) most = area, best = p;
-  }
-  return best;
+      if (isOnFace(patch)) areas[p] += double(parts.graph.area[patch]);
+  return areas;
 }
 
-std::size_t findFace(const SurfaceParts& parts, const Neighbours& all, const std::vector<double>& shares,
-                     const PartView& view) {
-  if (view.face && view.face->confidence >= 0.5) return partAt(parts, all, *view.face);
+// The part that fills most of the view's middle and bulges like a head.
+std::size_t mostLikeAHead(const SurfaceParts& parts, const std::vector<double>& shares) {
   std::size_t best = 0;
   for (std::size_t p = 1; p < shares.size(); ++p)
     if (shares[p] * headLike(parts.parts[p]) > shares[best] * headLike(parts.parts[best])) best = p;
@@ -113,13 +124,15 @@ bool isWall(const Part& part, const Part& face, const Beam& beam) {
 
 // Why a part stays or goes, beside those that count so far.
 PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours& all, const Part& face,
-                     const PartView& view, const PartVerdict& shown, const std::vector<bool>& counts) {
+                     const PartView& view, const PartVerdict& shown, double onFace,
+                     const std::vector<bool>& counts) {
   const Part& part = parts.parts[p];
   const double share = shown.share;
   if (shown.seen < kSeen && share < kSeenMiddle) return PartReason::hidden;
   if (isWall(part, face, view.beam)) return PartReason::wall;
   if (part.area < kLeastArea) return PartReason::debris;
   if (!all.isNear(p, kNear, counts)) return PartReason::far;
+  if (onFace > kMostOnFace * part.area) return PartReason::onFace;
   if (view.companions >= 1) return PartReason::hidden;
   if (std::max(share, 0.5 * shown.seen) >= view.companions) return PartReason::beside;
   if (part.curvature > kStrand) return PartReason::debris;
@@ -137,7 +150,11 @@ std::vector<PartVerdict> chooseParts(const Mesh& mesh, const SurfaceParts& parts
   if (verdicts.empty()) return verdicts;
   const ViewShares shown = viewShares(mesh, parts.ofTriangle, parts.parts.size(), view.beam, view.middle);
   const Neighbours all(parts);
-  const std::size_t face = findFace(parts, all, shown.centred, view);
+  const std::vector<double> onFace =
+      view.face ? areasOnFace(parts, all, *view.face) : std::vector<double>(verdicts.size(), 0);
+  const auto most = std::ranges::max_element(onFace);
+  const std::size_t face =
+      *most > 0 ? std::size_t(most - onFace.begin()) : mostLikeAHead(parts, shown.centred);
   for (std::size_t p = 0; p < verdicts.size(); ++p) {
     verdicts[p].share = shown.centred[p] / std::max(shown.centred[face], 1e-9);
     verdicts[p].seen = shown.seen[p] / std::max(shown.seen[face], 1e-9);
@@ -152,8 +169,10 @@ std::vector<PartVerdict> chooseParts(const Mesh& mesh, const SurfaceParts& parts
     grown = false;
     for (std::size_t p = 0; p < verdicts.size(); ++p) {
       if (verdicts[p].proposed) continue;
-      verdicts[p].reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts[p], counts);
-      if (verdicts[p].reason != PartReason::beside && verdicts[p].reason != PartReason::joins) continue;
+      verdicts[p].reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts[p], onFace[p], counts);
+      const PartReason reason = verdicts[p].reason;
+      if (reason != PartReason::onFace && reason != PartReason::beside && reason != PartReason::joins)
+        continue;
       verdicts[p].proposed = grown = true;
       counts[p] = !dropped[p];
     }

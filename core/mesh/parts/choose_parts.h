@@ -8,24 +8,21 @@
 
 namespace sonoskin {
 
-// FaceSite: where a face was found, if it was.
-//   centre      between nose and eyes, on the skin; up: unit, from chin to forehead, world mm
-//   radius      mm, from the centre to chin and forehead
-//   confidence  0 to 1; below 0.5 it is not used
+// FaceSite: where a face was found: places on its skin as it is expected, evenly spread, and their normals; world mm.
 struct FaceSite {
-  glm::vec3 centre{0}, up{0, 0, 1};
-  double radius = 30, confidence = 0;
+  std::vector<glm::vec3> places, normals;
 };
 
 // PartReason: why a part is kept or off.
-//   face      it is the face's; beside, joins: it belongs to the baby, see chooseParts; asked: a person brought it back;
-//             all: every part is kept
+//   face      it is the face's; onFace: most of it lies where the face was found; beside, joins: it belongs to the baby,
+//             see chooseParts; asked: a person brought it back; all: every part is kept
 //   hidden    the probe sees little of it; debris: too small, or strands; aside: little of it
 //             lies in the middle of the view, and it joins nothing; far: nothing that is kept is near; wall: a flat or
 //             hollow sheet before the face; dropped: a person took it away
-enum class PartReason { face, beside, joins, asked, all, hidden, debris, aside, far, wall, dropped };
-constexpr std::array<const char*, 11> enumNames(PartReason) {
-  return {"face", "beside", "joins", "asked", "all", "hidden", "debris", "aside", "far", "wall", "dropped"};
+enum class PartReason { face, onFace, beside, joins, asked, all, hidden, debris, aside, far, wall, dropped };
+constexpr std::array<const char*, 12> enumNames(PartReason) {
+  return {"face",   "on-face", "beside", "joins", "asked", "all",
+          "hidden", "debris",  "aside",  "far",   "wall",  "dropped"};
 }
 
 // PartVerdict: whether a part is kept, and why.
@@ -42,6 +39,7 @@ struct PartVerdict {
 // PartView: what the choice of parts is made from.
 //   middle      a point on the middle beam, mm
 //   companions  share of the view from which a part beside the face's is kept
+//   face        nothing where none was found
 //   dropped     parts that a person took away: they bring no others near
 struct PartView {
   Beam beam;
@@ -53,7 +51,8 @@ struct PartView {
 
 // chooseParts: which parts are the face and what belongs to the baby.
 //   method   The face's part fills most of the middle of the probe's view and bulges like a head; where a face was found it is
-//            the part with most area around that. Beside it stays what fills `companions` of that middle, or twice that of
+//            the part with most area there, and parts that lie there by half are kept, such as a chin behind a deep mouth.
+//            Beside it stays what fills `companions` of that middle, or twice that of
 //            all of the view, and lies within 20 mm
 //            of what is kept, without a flat or hollow sheet before the face: a wall, a placenta. What fills little of the
 //            view stays if it joins what is kept along a long border or a narrow gap, or touches it and is

@@ -49,7 +49,7 @@ Finding isoContour(const Scan& scan, const Parameters& parameters) {
   const float iso = given > 0 ? given
                               : proposeLevels(gaussianBlur(*scan.volume, parameters.classification.lowPass),
                                               frame.view, frame.beam)
-                                    .between(parameters.classification.isoShare);
+                                    .iso(parameters.classification.isoShare);
   std::vector<std::vector<SurfaceVoxel>> perSlice(std::size_t(g.dims.z));
   parallelFor(g.dims.z - 2, [&](std::ptrdiff_t inner) {
     const int k = int(inner) + 1;
