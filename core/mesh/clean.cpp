@@ -27,7 +27,7 @@ Mesh cleanMesh(const Mesh& mesh, const MeshOptions& options, const Progress& pro
   Mesh clean = mesh;
   if (options.minArea > 0) clean = withoutSmallPieces(clean, options.minArea, progress.part(0, 0.1));
   if (options.fillHoles > 0)
-    clean = fillHoles(clean, {options.fillHoles, Outline::keepUnlessSmall}, progress.part(0.1, 0.3));
+    clean = fillHoles(clean, {options.fillHoles, Outline::keepUnlessSmall, false}, progress.part(0.1, 0.3));
   else
     splitFans(clean);
   smoothMesh(clean, options.smoothing, progress.part(0.3, 0.7));

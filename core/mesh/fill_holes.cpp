@@ -1,6 +1,7 @@
 #include "core/mesh/fill_holes.h"
 
 #include <algorithm>
+#include <ranges>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -143,6 +144,13 @@ Corners cornersOf(const Mesh& mesh, const Triangle& t) {
           glm::dvec3(mesh.positions[t[2]])};
 }
 
+Mesh meshOf(const HolePatch& patch) {
+  Mesh mesh;
+  for (const glm::dvec3& p : patch.points) mesh.positions.emplace_back(p);
+  mesh.triangles = patch.triangles;
+  return mesh;
+}
+
 // Surroundings: the triangles that a patch must not cross.
 struct Surroundings {
   const Mesh& mesh;
@@ -165,7 +173,9 @@ class Hole {
 
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
-  HolePatch fill(const BorderEdges& edges, const Surroundings& around, const Progress& progress) const {
+  // crossing: whether a patch that crosses the surface is better than none.
+  HolePatch fill(const BorderEdges& edges, const Surroundings& around, bool crossing,
+                 const Progress& progress) const {
     const auto isAllowed = [&](std::uint32_t i, std::uint32_t j) {
       return vertices_[i] != vertices_[j] && !edges.has(vertices_[i], vertices_[j]);
     };
@@ -173,13 +183,18 @@ class Hole {
     std::vector<double> sizes = sideLengths();
     if (flat.triangles.empty()) spanFromTheMiddle(flat, sizes);
     refinePatch(flat, sizes, isAllowed, progress.part(0, 0.4));
-    HolePatch plate = flat;
+    // Where the surface folds at the border, going on smoothly may lead through it, and so may a membrane.
+    HolePatch plate = flat, membrane = flat;
     fair(plate, Fairing::thinPlate, progress.part(0.4, 0.7));
-    const std::size_t crossings = countCrossings(plate, around);
-    if (crossings == 0) return plate;
-    // Where the surface folds at the border, going on smoothly may lead through it.
-    fair(flat, Fairing::membrane, progress.part(0.7, 1));
-    return countCrossings(flat, around) < crossings ? flat : plate;
+    const std::size_t ofPlate = countCrossings(plate, around);
+    if (ofPlate == 0) return plate;
+    fair(membrane, Fairing::membrane, progress.part(0.7, 1));
+    const std::size_t ofMembrane = countCrossings(membrane, around);
+    if (ofMembrane == 0) return membrane;
+    const std::size_t ofFlat = countCrossings(flat, around);
+    if (ofFlat == 0) return flat;
+    if (!crossing) return {};
+    return ofFlat < std::min(ofPlate, ofMembrane) ? flat : ofMembrane < ofPlate ? membrane : plate;
   }
 
  private:
@@ -208,9 +223,7 @@ class Hole {
 
   // With itself and with the mesh.
   std::size_t countCrossings(const HolePatch& patch, const Surroundings& around) const {
-    Mesh alone;
-    for (const glm::dvec3& p : patch.points) alone.positions.emplace_back(p);
-    alone.triangles = patch.triangles;
+    const Mesh alone = meshOf(patch);
     std::size_t count = countSelfIntersections(alone);
     for (const Triangle& t : alone.triangles) {
       const Corners corners = cornersOf(alone, t);
@@ -272,6 +285,27 @@ void append(Mesh& mesh, const std::vector<std::uint32_t>& loop, const HolePatch&
     mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
 }
 
+// Takes away patches that cross one before them. None crosses itself.
+void dropCrossing(std::vector<HolePatch>& patches) {
+  std::vector<Mesh> kept;
+  std::vector<Box> boxes;
+  for (HolePatch& patch : patches) {
+    if (patch.triangles.empty()) continue;
+    const Mesh mesh = meshOf(patch);
+    const Box box = boundingBox(mesh.positions);
+    const auto crosses = [&](std::size_t k) {
+      return overlap(box, boxes[k]) && countSelfIntersections(joinPieces({mesh, kept[k]})) > 0;
+    };
+    const auto numbers = std::views::iota(std::size_t(0), kept.size());
+    if (std::ranges::any_of(numbers, crosses)) {
+      patch = {};
+      continue;
+    }
+    kept.push_back(mesh);
+    boxes.push_back(box);
+  }
+}
+
 // Normals, visibility, labels and measured of the vertices from `first` on.
 void completeVertices(Mesh& mesh, std::size_t first) {
   if (!mesh.visibility.empty()) mesh.visibility.resize(mesh.positions.size(), 0.f);
@@ -303,10 +337,11 @@ Mesh fillHoles(const Mesh& mesh, const HoleOptions& options, const Progress& pro
   parallelFor(
       std::ptrdiff_t(holes.size()),
       [&](std::ptrdiff_t l) {
-        patches[std::size_t(l)] =
-            Hole(before, opposite, holes[std::size_t(l)]).fill(edges, {near, tree}, progress.cancelOnly());
+        patches[std::size_t(l)] = Hole(before, opposite, holes[std::size_t(l)])
+                                      .fill(edges, {near, tree}, options.crossing, progress.cancelOnly());
       },
       progress.part(0.1, 0.95));
+  if (!options.crossing) dropCrossing(patches);
   for (std::size_t l = 0; l < holes.size(); ++l)
     append(filled, Hole(before, opposite, holes[l]).vertices(), patches[l]);
   completeVertices(filled, before.positions.size());

@@ -13,10 +13,12 @@ namespace sonoskin {
 //              or kept open unless it is small beside its piece (the squared diagonal of its box below a tenth of
 //              the area: a disc has 2.5 times its area, a tube three times as long as wide 0.2, a sphere with a hole of
 //              a third of its width 0.07)
+//   crossing   whether a hole is filled too whose patch would cross the surface or another patch; else it stays open
 enum class Outline { fill, keep, keepUnlessSmall };
 struct HoleOptions {
   double largest = std::numeric_limits<double>::infinity();
   Outline outline = Outline::fill;
+  bool crossing = true;
 };
 
 // fillHoles: fills holes with triangles of the size of those around them, going on smoothly from the surface.
