@@ -23,7 +23,7 @@ float confidenceOf(const FaceFit& fit) {
   const FaceEvidence& e = fit.evidence;
   if (e.seen < 0.45f) return 0;
   const float z = 25 * (e.relief - 0.62f) + 16 * (0.62f - fit.rival) + 4 * (std::min(e.gain, 1.f) - 0.65f) +
-                  15 * std::min(e.explained - 0.6f, 0.f) - 0.3f;
+                  15 * std::min(e.explained - 0.6f, 0.f) + 0.7f;
   return 1 / (1 + std::exp(-z));
 }
 

@@ -18,9 +18,9 @@ constexpr float kSample = 0.5f;  // smallest spacings between samples
 constexpr float kSlopeSigma =
     2;  // samples: the Gaussian whose derivative takes the slope, one smallest spacing
 constexpr float kAroundVoxels =
-    2;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
+    2.5f;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
 constexpr float kMedianAround = 1.25f, kNoiseAround = 2;  // of that
-constexpr float kLeastAround = 1.2f;                      // mm
+constexpr float kLeastAround = 1.5f;                      // mm
 constexpr float kLikely = 2.0f;                           // mm: how far from the mean profile's edge one lies
 constexpr float kStep = 0.5f;                             // mm: more than neighbours differ
 constexpr float kSameSide = 0.5f;                         // least cosine between the normals of neighbours
