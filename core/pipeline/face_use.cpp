@@ -37,7 +37,7 @@ LandmarkOptions landmarksWithFace(const Parameters& parameters, const FaceFit* f
 
 std::optional<FaceSite> siteOf(const FaceFit* face, const FaceOptions& options) {
   if (!isCertain(face, options)) return {};
-  FaceSite site;
+  FaceSite site{{}, {}, face->placement.at, face->up, face->front, face->headHeight};
   for (const FacePoint& point : faceModel().points) {
     site.places.push_back(face->placement.toWorld(face->placement.inHead(point)));
     site.normals.push_back(face->placement.normal(point));

@@ -18,7 +18,7 @@ constexpr float kSample = 0.5f;  // smallest spacings between samples
 constexpr float kSlopeSigma =
     2;  // samples: the Gaussian whose derivative takes the slope, one smallest spacing
 constexpr float kAroundVoxels =
-    2.5f;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
+    2;  // neighbours whose slopes are averaged: of a voxel's size, the cube root of its volume
 constexpr float kMedianAround = 1.25f, kNoiseAround = 2;  // of that
 constexpr float kLeastAround = 1.5f;                      // mm
 constexpr float kLikely = 2.0f;                           // mm: how far from the mean profile's edge one lies
@@ -133,13 +133,15 @@ class Edges {
         1.4826f;  // of absolute differences to the standard deviation of a normal distribution
     std::vector<float> difference(place_.size()), noise(place_.size());
     forEachPoint(progress.part(0, 0.5), [&](std::size_t s) {
-      difference[s] = std::abs(edgeOf(slope_[s], int(std::lround(place_[s])) + kReach) - place_[s]);
+      difference[s] = edgeOf(slope_[s], int(std::lround(place_[s])) + kReach) - place_[s];
     });
     forEachPoint(progress.part(0.5, 1), [&](std::size_t s) {
       thread_local std::vector<float> around;
       around.clear();
       forEachNeighbour(s, kNoiseAround * around_,
                        [&](std::size_t o, float, float) { around.push_back(difference[o]); });
+      const float middle = medianOf(around);  // curved surfaces shift all averages alike
+      for (float& d : around) d = std::abs(d - middle);
       noise[s] = kFromMedian * medianOf(around) * sample_;
     });
     return noise;

@@ -23,12 +23,12 @@ struct EdgeProfile {
 //   volume    the recorded one, not low-passed
 //   output    the mean profile; all zero, and the points as they were, where the grey rises nowhere
 //   method    The slope of the grey along each normal (derivative of a Gaussian of one smallest spacing) is averaged over
-//             the neighbours within two voxels' size, 1.2 mm at least, on the same side, each shifted to its own depth;
+//             the neighbours within two voxels' size, 1.5 mm at least, on the same side, each shifted to its own depth;
 //             its greatest value is the edge [Canny 1986: the maximum of the gradient along it], weighed by a Gaussian of
-//             1.2 mm around the edge of the mean profile, so that bone behind the skin does not win. A place that differs from the median of its
-//             neighbours' by more than 0.5 mm is taken from that. The noise is what the places of single slopes differ from
-//             the averaged ones (1.48 times the median around).
-//   depth     The echo of an interface starts before it, by the length of the pulse and the width of the beam; the wider
+//             2 mm around the edge of the mean profile, so that bone behind the skin does not win. A place that differs
+//             from the median of its neighbours' by more than 0.5 mm is taken from that. The noise is how much the places
+//             of single slopes scatter around the averaged ones (1.48 times the median deviation around).
+//   depth     Onto the skin: moveOntoSkin. The echo of an interface starts before it, by the length of the pulse and the width of the beam; the wider
 //             the edge, the farther. The share is calibrated on the simulated scans, where the skin is known.
 //   cost      50,000 points: 0.15 s of one core
 //   errors    Cancelled

@@ -91,7 +91,7 @@ TEST_F(ChooseParts, ALargerShareLeavesTheFaceAlone) {
 
 // A face's skin as it is expected: the side of a ball that faces the probe.
 FaceSite faceOn(const glm::vec3& centre, float radius) {
-  FaceSite face;
+  FaceSite face{{}, {}, centre, {0, 0, 1}, {0, -1, 0}, 2.4f * radius};
   for (int i = -60; i <= 60; i += 10)
     for (int j = -60; j <= 60; j += 10) {
       const float u = glm::radians(float(i)), v = glm::radians(float(j));
@@ -107,6 +107,16 @@ TEST_F(ChooseParts, AFaceThatWasFoundDecides) {
   EXPECT_EQ(reason(kHand), PartReason::face);
   view.face = faceOn({0, 200, 0}, 16);  // where no part lies
   EXPECT_EQ(reason(kHead), PartReason::face);
+}
+
+// The same ball is a hand before the face, or below it, and something else beside the crown.
+TEST_F(ChooseParts, NoLimbLiesBesideTheCrown) {
+  view.face = faceOn({0, 0, 0}, 28);
+  EXPECT_EQ(reason(kHand), PartReason::aside);
+  view.face->ears = {0, 30, 0};  // the head lies deeper: the hand is before it
+  EXPECT_EQ(reason(kHand), PartReason::beside);
+  view.face->ears = {0, 0, 40};  // the head lies higher
+  EXPECT_EQ(reason(kHand), PartReason::beside);
 }
 
 // Half of a face behind a gap, such as a chin below a deep mouth: alone in the view it would be aside.

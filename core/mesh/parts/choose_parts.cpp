@@ -13,11 +13,12 @@ constexpr double kNear = 20, kTouching = 3;  // mm between parts
 // Shares of the view, and of its middle, below which a part is hidden.
 constexpr double kSeen = 0.018, kSeenMiddle = 0.01;
 constexpr float kOnFace = 5,
-                kSameSide = 0.5f;    // mm from a face that was found; least cosine between the normals
-constexpr double kMostOnFace = 0.5;  // of a part's area
-constexpr double kLeastArea = 40, kScrap = 300;  // mm²
-constexpr double kJoins = 0.8;                   // border with what is kept, by the root of the part's area
-constexpr double kStrand = 1 / 5.5;              // 1/mm: curvature of strands 5.5 mm thick
+                kSameSide = 0.5f;  // mm from a face that was found; least cosine between the normals
+constexpr float kChin = -0.33f, kBeforeEars = 0.17f;  // heights of the head, from the middle between the ears
+constexpr double kMostOnFace = 0.5;                   // of a part's area
+constexpr double kLeastArea = 40, kScrap = 300;       // mm²
+constexpr double kJoins = 0.8;       // border with what is kept, by the root of the part's area
+constexpr double kStrand = 1 / 5.5;  // 1/mm: curvature of strands 5.5 mm thick
 // Of the parts of arms and hands: the share of the view, and the curvatures, 1/mm.
 constexpr double kLimbSeen = 0.05, kRoundest = 1 / 60.0, kThinnest = 1 / 8.0;
 constexpr double kFlat = 1 / 250.0;            // 1/mm: below it a sheet is flat or hollow
@@ -122,6 +123,12 @@ bool isWall(const Part& part, const Part& face, const Beam& beam) {
          depthOf(part, beam) < depthOf(face, beam);
 }
 
+// Whether a part lies where hands, arms and shoulders do: below the chin, or before the ears.
+bool mayBeLimb(const Part& part, const FaceSite& face) {
+  const glm::vec3 away = (part.centre - face.ears) / face.height;
+  return glm::dot(away, face.up) < kChin || glm::dot(away, face.front) > kBeforeEars;
+}
+
 // Why a part stays or goes, beside those that count so far.
 PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours& all, const Part& face,
                      const PartView& view, const PartVerdict& shown, double onFace,
@@ -134,6 +141,7 @@ PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours&
   if (!all.isNear(p, kNear, counts)) return PartReason::far;
   if (onFace > kMostOnFace * part.area) return PartReason::onFace;
   if (view.companions >= 1) return PartReason::hidden;
+  if (view.face && !mayBeLimb(part, *view.face)) return PartReason::aside;
   if (std::max(share, 0.5 * shown.seen) >= view.companions) return PartReason::beside;
   if (part.curvature > kStrand) return PartReason::debris;
   const double border = all.border(p, counts);

@@ -8,9 +8,14 @@
 
 namespace sonoskin {
 
-// FaceSite: where a face was found: places on its skin as it is expected, evenly spread, and their normals; world mm.
+// FaceSite: where a face was found; world mm.
+//   places, normals   on its skin as it is expected, evenly spread
+//   ears, up, front   the middle between the ears; unit, from the chin to the crown and where the nose points
+//   height            of the head, from the chin to the crown
 struct FaceSite {
   std::vector<glm::vec3> places, normals;
+  glm::vec3 ears{0}, up{0, 0, 1}, front{0, -1, 0};
+  float height = 0;
 };
 
 // PartReason: why a part is kept or off.
@@ -51,7 +56,8 @@ struct PartView {
 
 // chooseParts: which parts are the face and what belongs to the baby.
 //   method   The face's part fills most of the middle of the probe's view and bulges like a head; where a face was found it is
-//            the part with most area there, and parts that lie there by half are kept, such as a chin behind a deep mouth.
+//            the part with most area there, and parts that lie there by half are kept, such as a chin behind a deep mouth;
+//            what lies neither below the chin nor before the ears is off there: no limb does.
 //            Beside it stays what fills `companions` of that middle, or twice that of
 //            all of the view, and lies within 20 mm
 //            of what is kept, without a flat or hollow sheet before the face: a wall, a placenta. What fills little of the
