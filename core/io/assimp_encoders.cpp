@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/io/assimp_scene.h"
+#include "core/io/file_bytes.h"
 #include "core/io/mesh_encoders.h"
 
 namespace sonoskin {
@@ -26,13 +27,24 @@ void nameVisibility(nlohmann::json& root) {
   root["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteStride"] = 2 * sizeof(float);
 }
 
-// Every file of ZIP's kind ends with a directory; assimp does not tell when the disk is full.
-bool endsAsZip(const fs::path& path) {
-  char end[22] = {};
-  std::ifstream(path, std::ios::binary)
-      .seekg(-std::streamoff(sizeof end), std::ios::end)
-      .read(end, sizeof end);
-  return !std::memcmp(end, "PK\5\6", 4);
+// Whether a file of ZIP's kind is complete: it ends with a directory that lies where it says and names the model. assimp
+// does not tell when the disk is full, and leaves out what found no room.  [APPNOTE 4.3.16]
+bool isWhole3mf(const fs::path& path) {
+  const std::uintmax_t size = fileSize(path);
+  struct [[gnu::packed]] {
+    char mark[4];
+    std::uint16_t disks[4];
+    std::uint32_t directoryBytes, directoryAt;
+    std::uint16_t comment;
+  } end{};
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(-std::streamoff(sizeof end), std::ios::end).read(reinterpret_cast<char*>(&end), sizeof end);
+  if (!file || std::memcmp(end.mark, "PK\5\6", 4) ||
+      std::uintmax_t(end.directoryAt) + end.directoryBytes + sizeof end != size)
+    return false;
+  std::string directory(end.directoryBytes, ' ');
+  file.seekg(std::streamoff(end.directoryAt)).read(directory.data(), std::streamsize(directory.size()));
+  return file && directory.starts_with("PK\1\2") && directory.find("3DModel.model") != std::string::npos;
 }
 
 }  // namespace
@@ -62,8 +74,8 @@ Bytes encodeGlb(const Mesh& mesh) {
 void write3mf(const fs::path& path, const Mesh& mesh) {
   Assimp::Exporter exporter;
   const bool written = exporter.Export(assimpScene(mesh).get(), "3mf", path.string()) == aiReturn_SUCCESS;
-  if (!written || !endsAsZip(path))
-    throw Error("The surface could not be written as 3MF; is the disk full?", Error::Kind::system);
+  if (!written || !isWhole3mf(path))
+    throw Error("The surface could not be written as 3MF; the disk may be full.", Error::Kind::system);
 }
 
 }  // namespace sonoskin

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <mutex>
 
@@ -18,43 +17,9 @@ template <class... Args>
   throw Error(fmt::format(sentence, std::forward<Args>(args)...), Error::Kind::system);
 }
 
-// A prefix that no other running process or thread uses; the leading dot hides it in listings.
-std::string uniquePrefix() {
-  static std::atomic<unsigned> counter{0};
-  return fmt::format(".sonoskin-{}-{}-", ::getpid(), counter++);
-}
-
-// What is not finished: temporary files and folders, and folders that were made for them, in the order in which they
-// were made. Held while something is given its name.
-std::mutex unfinishedMutex;
-std::vector<fs::path> unfinished;
-
-void addUnfinished(const fs::path& path) {
-  const std::lock_guard lock(unfinishedMutex);
-  unfinished.push_back(fs::absolute(path));
-}
-
-void dropUnfinished(const fs::path& path) {
-  const std::lock_guard lock(unfinishedMutex);
-  std::erase(unfinished, fs::absolute(path));
-}
-
-// Removes a file when it goes out of scope; a file that was renamed is no longer there.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) { addUnfinished(path_); }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-    dropUnfinished(path_);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+// Folders that were made for output that is not finished, in the order in which they were made.
+std::mutex madeMutex;
+std::vector<fs::path> madeFolders;
 
 // Renaming over a device such as /dev/null would replace it.
 void checkTarget(const fs::path& target) {
@@ -68,23 +33,26 @@ void checkTarget(const fs::path& target) {
   if (target.filename().empty()) failOnDisk("{} names a folder, not a file.", target.string());
 }
 
-void moveInto(const fs::path& from, const fs::path& to) {
+// Through a link to the file that it stands for, so that the link stays.
+fs::path realTarget(const fs::path& target) {
   std::error_code code;
-  fs::rename(from, to, code);
-  if (code) failOnDisk("{} could not be written: {}.", to.string(), code.message());
+  if (!fs::is_symlink(fs::symlink_status(target, code))) return target;
+  const fs::path real = fs::weakly_canonical(target, code);
+  return code ? target : real;
 }
 
 }  // namespace
 
 void writeAtomically(const fs::path& target, const std::function<void(const fs::path&)>& write) {
   checkTarget(target);
-  const TemporaryFile temporary(target.parent_path() / (uniquePrefix() + target.filename().string()));
-  // Opening it first tells a folder without permission from a writer's own trouble.
-  if (!std::ofstream(temporary.path()))
+  const fs::path real = realTarget(target);
+  Staging staging(real.parent_path());
+  const fs::path temporary = staging.path() / real.filename();
+  // Opening it first tells a name or a folder that cannot be used from a writer's own trouble.
+  if (!std::ofstream(temporary))
     failOnDisk("{} cannot be written; check the folder's permissions and the free space.", target.string());
-  write(temporary.path());
-  const std::lock_guard lock(unfinishedMutex);
-  moveInto(temporary.path(), target);
+  write(temporary);
+  staging.publishOnly(real.filename().string());
 }
 
 void writeBytes(const fs::path& target, const void* data, std::size_t bytes) {
@@ -92,7 +60,9 @@ void writeBytes(const fs::path& target, const void* data, std::size_t bytes) {
     std::ofstream file(temporary, std::ios::binary);
     file.write(static_cast<const char*>(data), std::streamsize(bytes));
     file.close();
-    if (!file) failOnDisk("{} could not be written completely; is the disk full?", target.string());
+    std::error_code code;
+    if (!file || fs::file_size(temporary, code) != bytes)
+      failOnDisk("{} could not be written completely; the disk may be full.", target.string());
   });
 }
 
@@ -102,58 +72,57 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   for (fs::path p = fs::absolute(folder_); !p.empty() && !fs::exists(p, code); p = p.parent_path())
     missing.insert(missing.begin(), p);
   made_ = missing;
-  for (const fs::path& folderMade : made_) addUnfinished(folderMade);
+  {
+    const std::lock_guard lock(madeMutex);
+    madeFolders.insert(madeFolders.end(), made_.begin(), made_.end());
+  }
   fs::create_directories(folder_, code);
-  if (!fs::is_directory(folder_))
+  if (!fs::is_directory(folder_)) {
+    removeMade();
     failOnDisk("The folder {} cannot be made: {}.", folder_.string(), code.message());
-  staging_ = folder_ / (uniquePrefix() + "unfinished");
-  addUnfinished(staging_);
-  if (!fs::create_directory(staging_, code))
-    failOnDisk("The folder {} cannot be written: {}.", folder_.string(), code.message());
+  }
+  try {
+    staging_.emplace(folder_);
+  } catch (...) {
+    removeMade();
+    throw;
+  }
 }
 
 OutputFolder::~OutputFolder() {
-  removeStaging();
-  std::error_code ignored;  // folders that hold something by now stay
-  for (auto p = made_.rbegin(); p != made_.rend(); ++p) {
-    fs::remove(*p, ignored);
-    dropUnfinished(*p);
-  }
+  staging_.reset();
+  removeMade();
 }
 
 fs::path OutputFolder::file(const std::string& name) {
-  require(!name.empty() && name != "." && name != ".." && fs::path(name).filename() == fs::path(name),
+  require(!name.empty() && name != "." && name != ".." && fs::path(name).filename() == fs::path(name) &&
+              name.find('\n') == std::string::npos,
           "{} is not a plain file name.", name);
-  return staging_ / name;
+  return staging_->path() / name;
 }
 
-void OutputFolder::commit() {
-  {
-    const std::lock_guard lock(unfinishedMutex);
-    // All targets are looked at first, so that a refusal leaves an earlier result whole.
-    for (const auto& entry : fs::directory_iterator(staging_)) checkTarget(folder_ / entry.path().filename());
-    for (const auto& entry : fs::directory_iterator(staging_))
-      moveInto(entry.path(), folder_ / entry.path().filename());
-    for (const fs::path& folder : made_) std::erase(unfinished, folder);
-  }
+void OutputFolder::commit(const std::vector<std::string>& obsolete) {
+  staging_->publish(obsolete);
+  const std::lock_guard lock(madeMutex);
+  for (const fs::path& folder : made_) std::erase(madeFolders, folder);
   made_.clear();
-  removeStaging();
 }
 
-void OutputFolder::removeStaging() {
+// Folders that hold something by now stay.
+void OutputFolder::removeMade() {
+  const std::lock_guard lock(madeMutex);
   std::error_code ignored;
-  fs::remove_all(staging_, ignored);
-  dropUnfinished(staging_);
+  for (auto p = made_.rbegin(); p != made_.rend(); ++p) {
+    fs::remove(*p, ignored);
+    std::erase(madeFolders, *p);
+  }
 }
 
 void abandonOutput(int exitStatus) {
-  const std::lock_guard lock(unfinishedMutex);
+  removeStaging();
+  const std::lock_guard lock(madeMutex);
   std::error_code ignored;
-  for (auto path = unfinished.rbegin(); path != unfinished.rend(); ++path) {
-    const bool ours = path->filename().string().starts_with(".sonoskin-");
-    // A folder that was made for the output may hold something of somebody else's by now: only if empty.
-    ours ? fs::remove_all(*path, ignored) : std::uintmax_t(fs::remove(*path, ignored));
-  }
+  for (auto path = madeFolders.rbegin(); path != madeFolders.rend(); ++path) fs::remove(*path, ignored);
   ::_exit(exitStatus);
 }
 

@@ -7,6 +7,7 @@
 #include <itkVTKImageIO.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
@@ -108,6 +109,20 @@ void setKeys(itk::ImageIOBase& io, const StoredVolume& stored) {
   io.SetMetaDataDictionary(keys);
 }
 
+// Whether a file holds all of a volume: ITK's writers do not tell when the disk is full.
+bool holdsAll(VolumeFormat format, const fs::path& path, const void* numbers, std::size_t bytes) try {
+  const itk::ImageIOBase::Pointer io = makeIo(format);
+  io->SetFileName(path.string());
+  io->ReadImageInformation();
+  if (std::size_t(io->GetImageSizeInBytes()) != bytes) return false;
+  io->SetIORegion(wholeRegion(*io));
+  std::vector<std::uint8_t> read(bytes);
+  io->Read(read.data());
+  return std::memcmp(read.data(), numbers, bytes) == 0;
+} catch (const std::exception&) {
+  return false;
+}
+
 }  // namespace
 
 StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
@@ -162,15 +177,20 @@ void writeWithItk(VolumeFormat format, const fs::path& path, const StoredVolume&
   io->SetNumberOfComponents(1);
   io->SetUseCompression(format != VolumeFormat::vtk);
   if (format == VolumeFormat::nrrd || format == VolumeFormat::meta) setKeys(*io, stored);
+  const std::size_t bytes = stored.geometry.voxels() * (stored.type == NumberType::uint8 ? 1 : sizeof(float));
   writeAtomically(path, [&](const fs::path& temporary) {
+    bool written = true;
     try {
       io->SetFileName(temporary.string());
       io->WriteImageInformation();
       io->Write(numbers);
     } catch (const itk::ExceptionObject&) {
-      throw Error(fmt::format("{} could not be written; is the disk full?", path.string()),
-                  Error::Kind::system);
+      written = false;
     }
+    progress.update(0.7);
+    if (!written || !holdsAll(format, temporary, numbers, bytes))
+      throw Error(fmt::format("{} could not be written; the disk may be full.", path.string()),
+                  Error::Kind::system);
     progress.throwIfCancelled();
   });
   progress.update(1);

@@ -29,8 +29,8 @@ struct EdgeProfile {
 //             from the median of its neighbours' by more than 0.5 mm is taken from that. The noise is how much the places
 //             of single slopes scatter around the averaged ones (1.48 times the median deviation around).
 //   depth     Onto the skin (moveOntoSkin). The echo of an interface starts before it, by the length of the pulse and the
-//             width of the beam; the wider
-//             the edge, the farther. The share is calibrated on the simulated scans, where the skin is known.
+//             width of the beam; the wider the edge, the farther. The share is calibrated on the simulated scans, where the
+//             skin is known.
 //   cost      50,000 points: 0.15 s of one core
 //   errors    Cancelled
 //   threads   the result does not depend on their number

@@ -124,9 +124,11 @@ bool isWall(const Part& part, const Part& face, const Beam& beam) {
 }
 
 // Whether a part lies where hands, arms and shoulders do: below the chin, or before the ears.
+bool isBelowChin(const Part& part, const FaceSite& face) {
+  return glm::dot(part.centre - face.ears, face.up) < kChin * face.height;
+}
 bool mayBeLimb(const Part& part, const FaceSite& face) {
-  const glm::vec3 away = (part.centre - face.ears) / face.height;
-  return glm::dot(away, face.up) < kChin || glm::dot(away, face.front) > kBeforeEars;
+  return isBelowChin(part, face) || glm::dot(part.centre - face.ears, face.front) > kBeforeEars * face.height;
 }
 
 // Why a part stays or goes, beside those that count so far.
@@ -142,7 +144,8 @@ PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours&
   if (onFace > kMostOnFace * part.area) return PartReason::onFace;
   if (view.companions >= 1) return PartReason::hidden;
   if (view.face && !mayBeLimb(part, *view.face)) return PartReason::aside;
-  if (std::max(share, 0.5 * shown.seen) >= view.companions) return PartReason::beside;
+  const bool isBody = view.face && shown.seen >= kLimbSeen && isBelowChin(part, *view.face);
+  if (isBody || std::max(share, 0.5 * shown.seen) >= view.companions) return PartReason::beside;
   if (part.curvature > kStrand) return PartReason::debris;
   const double border = all.border(p, counts);
   const bool touches = border > 0 || all.isNear(p, kTouching, counts);

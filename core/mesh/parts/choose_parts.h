@@ -57,7 +57,7 @@ struct PartView {
 // chooseParts: which parts are the face and what belongs to the baby.
 //   method   The face's part fills most of the middle of the probe's view and bulges like a head; where a face was found it is
 //            the part with most area there, and parts that lie there by half are kept, such as a chin behind a deep mouth;
-//            what lies neither below the chin nor before the ears is off there: no limb does.
+//            what lies below the chin is the body; what lies neither there nor before the ears is off: no limb does.
 //            Beside it stays what fills `companions` of that middle, or twice that of
 //            all of the view, and lies within 20 mm
 //            of what is kept, without a flat or hollow sheet before the face: a wall, a placenta. What fills little of the
