@@ -1,8 +1,14 @@
 #include "app/batch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/face_view.h"
+#include "app/last_words.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
@@ -20,7 +26,7 @@ namespace sonoskin {
 namespace {
 
 // Shares of the whole time, measured on the phantom at full size.
-constexpr double kLoaded = 0.3, kComputed = 0.75, kChecked = 0.8, kDrawn = 0.95;
+constexpr double kLoaded = 0.3, kComputed = 0.7, kChecked = 0.75, kWritten = 0.8, kDrawn = 0.98;
 
 // BatchRun: what the steps of one run share.
 //   parameters  those of the options, with the landmarks of the input
@@ -128,7 +134,7 @@ void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
     const auto context = gl::makeOffscreenContext(run.options.backend);
     run.report.gl = gl::glInfo();
     const PictureOptions frame = frameOf(run, scan, results);
-    const Progress progress = run.progress.part(kChecked, kDrawn);
+    const Progress progress = run.progress.part(kWritten, kDrawn);
     drawSkin(run, *context, results, frame, progress.part(0, 0.4));
     VolumePictureOptions look;
     look.iso = float(results.visibleLevel);
@@ -155,21 +161,24 @@ void writePoints(const std::filesystem::path& path, const SurfacePoints& points)
 }
 
 void writeSurfaces(BatchRun& run, const Results& results, const Progress& progress) {
-  const std::vector<std::string>& formats = run.options.meshFormats;
-  for (const std::string& format : formats)
-    writeMesh(run.file("mesh." + format), *results.mesh, progress.part(0, 0.5));
+  for (const std::string& format : run.options.meshFormats)
+    writeMesh(run.file("mesh." + format), *results.mesh, progress);
+}
+
+// The surface with the maps of its skin.
+void writeBaked(BatchRun& run, const Progress& progress) {
   if (!run.baked) return;
-  for (const std::string& format : formats) {
+  for (const std::string& format : run.options.meshFormats) {
     if (format != "glb" && format != "obj") continue;
     const std::vector<std::string> files =
-        writeTexturedMesh(run.folder.file("skin." + format), *run.baked, progress.part(0.5, 1));
+        writeTexturedMesh(run.folder.file("skin." + format), *run.baked, progress);
     run.report.files.insert(run.report.files.end(), files.begin(), files.end());
   }
 }
 
 std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) {
   const BatchOptions& options = run.options;
-  const Progress progress = run.progress.part(kDrawn, 1);
+  const Progress progress = run.progress.part(kChecked, kWritten);
   writeSurfaces(run, results, progress.part(0, 0.2));
   if (results.print) writeMesh(run.file("print.stl"), *results.print, progress.part(0.2, 0.25));
   if (results.print && std::ranges::count(options.meshFormats, "3mf") > 0)
@@ -185,6 +194,53 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
   writeBytes(run.file("recipe.json"), recipe.data(), recipe.size());
   progress.update(1);
   return 0;
+}
+
+// Files of an earlier run in the folder that this one has none of: its report names them. Nothing else is touched, whatever
+// a report says.
+std::vector<std::string> obsoleteFiles(const BatchRun& run) {
+  static const std::regex kOurs(
+      R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.(ply|stl|obj|mtl|glb|3mf)|skin_\w+\.png|)"
+      R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)");
+  std::ifstream file(run.options.folder / "report.json");
+  const nlohmann::json earlier = nlohmann::json::parse(file, nullptr, false);
+  std::vector<std::string> obsolete;
+  if (!earlier.is_object() || !earlier.contains("files") || !earlier["files"].is_array()) return obsolete;
+  for (const nlohmann::json& name : earlier["files"])
+    if (name.is_string() && std::regex_match(name.get<std::string>(), kOurs) &&
+        std::ranges::count(run.report.files, name.get<std::string>()) == 0)
+      obsolete.push_back(name.get<std::string>());
+  return obsolete;
+}
+
+// The report is written anew with each set of files.
+void publish(BatchRun& run, const Timer& timer) {
+  const std::string name = "report.json";
+  if (std::ranges::count(run.report.files, name) == 0) run.report.files.push_back(name);
+  run.report.seconds = timer.seconds();
+  run.report.peakMemory = peakMemoryBytes();
+  const std::string report = reportJson(run.report);
+  writeBytes(run.folder.file(name), report.data(), report.size());
+  run.progress.throwIfCancelled();
+  run.folder.commit(obsoleteFiles(run));
+}
+
+// What was computed is safe by now. A renderer that has no memory may end the program without an exception.
+void addPictures(BatchRun& run, const Scan& scan, const Results& results, const Timer& timer) {
+  const LastWords words(
+      "sonoskin: error: the pictures could not be drawn (memory may be short); the surface is written\n");
+  try {
+    drawPictures(run, scan, results);
+    writeBaked(run, run.progress.part(kDrawn, 1));
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
+    const auto* known = dynamic_cast<const Error*>(&error);
+    throw Error(fmt::format("The surface is written, but its pictures could not be drawn: {}",
+                            known ? error.what() : "memory is short."),
+                Error::Kind::system);
+  }
+  publish(run, timer);
 }
 
 }  // namespace
@@ -204,16 +260,9 @@ Report runBatch(const BatchOptions& options, const Progress& progress,
   const Scan scan = load(run);
   const Results results = compute(run, scan);
   checkMeshes(run, results);
-  drawPictures(run, scan, results);
   run.stage("files", [&] { return writeFiles(run, scan, results); });
-
-  const std::filesystem::path reportFile = run.file("report.json");
-  run.report.seconds = timer.seconds();
-  run.report.peakMemory = peakMemoryBytes();
-  const std::string report = reportJson(run.report);
-  writeBytes(reportFile, report.data(), report.size());
-  progress.throwIfCancelled();
-  run.folder.commit();
+  publish(run, timer);
+  addPictures(run, scan, results, timer);
   return run.report;
 }
 

@@ -39,8 +39,10 @@ struct BatchOptions {
 // points.ply on request; print.stl (and print.3mf with that format) if print.form is not none; skin.glb and
 //   skin.obj (with its material and pictures) if something is baked.
 //   stageBegins  called with a word for people as each stage starts
-//   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the
-//                results of earlier runs in it are as before then.
+//   order        first all but the pictures and what is baked, as one set with a report; then those, with the report anew.
+//                Files of an earlier run that the set has none of go with it
+//   errors       Error: bad input, nothing found, the folder cannot be written; Cancelled. The folder and the results of
+//                earlier runs in it are as before then, unless the first set was complete: then it stands
 Report runBatch(const BatchOptions& options, const Progress& progress = {},
                 const Pipeline::StageBegins& stageBegins = {});
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/parameter_options.h"
+#include "app/cli/streams.h"
 #include "app/window.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -25,7 +27,7 @@ namespace {
 int fail(ExitStatus status, std::string message) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "sonoskin: error: {}\n", message);
+  std::fputs(fmt::format("sonoskin: error: {}\n", message).c_str(), stderr);
   return status;
 }
 
@@ -75,8 +77,11 @@ int parseAndRun(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // prints the help or the version
-    return fail(kUsage, error.what());
+    if (error.get_exit_code() != 0) return fail(kUsage, error.what());
+    std::ostringstream text;  // the help or the version
+    program.exit(error, text, text);
+    writeResult(text.str());
+    return kDone;
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
@@ -90,10 +95,13 @@ int parseAndRun(int argc, char** argv) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+  prepareStreams();
   try {
     return parseAndRun(argc, argv);
   } catch (const Cancelled&) {
-    return fail(kCancelled, kCancelledSentence);
+    return fail(kCancelled, cancelledSentence());
+  } catch (const BrokenPipe&) {
+    return kOther;
   } catch (const Error& error) {
     return fail(statusOf(error.kind()), error.what());
   } catch (const std::bad_alloc&) {

@@ -1,7 +1,6 @@
 #include "app/cli/console.h"
 
-#include <cstdio>
-
+#include "app/cli/streams.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
 
@@ -32,9 +31,7 @@ void Console::warn(const std::vector<std::string>& sentences) {
 void Console::print(const std::string& json, const std::string& text) {
   line_.finish();
   const std::string& result = json_ ? json : text;
-  std::fwrite(result.data(), 1, result.size(), stdout);
-  if (!result.ends_with('\n')) std::fputc('\n', stdout);
-  std::fflush(stdout);
+  writeResult(result.ends_with('\n') ? result : result + '\n');
 }
 
 }  // namespace sonoskin

@@ -1,10 +1,16 @@
 #pragma once
 
+#include "core/io/staging.h"
+
 namespace sonoskin {
 
 // ExitStatus: what the program tells its caller.
 enum ExitStatus { kDone = 0, kOther = 1, kUsage = 2, kInput = 3, kCancelled = 4 };
 
-inline constexpr const char* kCancelledSentence = "cancelled; nothing was written";
+// cancelledSentence: what a person who cancels is told.
+inline const char* cancelledSentence() {
+  return hasPublished() ? "cancelled; the surface is written, its pictures are not"
+                        : "cancelled; nothing was written";
+}
 
 }  // namespace sonoskin

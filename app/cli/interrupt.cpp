@@ -58,11 +58,13 @@ Interrupt::Interrupt(ProgressSink& sink) : sink_(sink) {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, &oldInterrupt_);
   sigaction(SIGTERM, &action, &oldTerminate_);
+  sigaction(SIGHUP, &action, &oldHangUp_);
 }
 
 Interrupt::~Interrupt() {
   sigaction(SIGINT, &oldInterrupt_, nullptr);
   sigaction(SIGTERM, &oldTerminate_, nullptr);
+  sigaction(SIGHUP, &oldHangUp_, nullptr);
   target = nullptr;
   sem_post(&ended_);
   sem_post(&asked);  // wakes the watcher where no signal came
@@ -74,7 +76,10 @@ Interrupt::~Interrupt() {
 void Interrupt::watch() {
   wait(asked);
   if (!sink_.cancel || waitFor(ended_, kPatience)) return;
-  fmt::print(stderr, "{}sonoskin: error: {}\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", kCancelledSentence);
+  std::fputs(
+      fmt::format("{}sonoskin: error: {}\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", cancelledSentence())
+          .c_str(),
+      stderr);
   abandonOutput(kCancelled);
 }
 

@@ -9,7 +9,7 @@
 
 namespace sonoskin {
 
-// Interrupt: while it lives, Ctrl+C (SIGINT) and SIGTERM set sink.cancel instead of ending the program. What does not
+// Interrupt: while it lives, Ctrl+C (SIGINT), SIGTERM and SIGHUP set sink.cancel instead of ending the program. What does not
 // look at it within kPatience (a picture being drawn, a library reading a file) is abandoned: unfinished output is
 // removed and the program ends as cancelled. One at a time: a signal handler can only reach what is global.
 class Interrupt {
@@ -23,7 +23,7 @@ class Interrupt {
   void watch();
 
   ProgressSink& sink_;
-  struct sigaction oldInterrupt_ = {}, oldTerminate_ = {};
+  struct sigaction oldInterrupt_ = {}, oldTerminate_ = {}, oldHangUp_ = {};
   sem_t ended_;
   std::thread watcher_;
 };

@@ -33,7 +33,8 @@ void ProgressLine::finish() {
 }
 
 void ProgressLine::endStage() {
-  if (!stage_.empty() && !terminal_) fmt::print(stderr, "{:<24} {:6.2f} s\n", stage_, stageTimer_.seconds());
+  if (!stage_.empty() && !terminal_)
+    std::fputs(fmt::format("{:<24} {:6.2f} s\n", stage_, stageTimer_.seconds()).c_str(), stderr);
   stage_.clear();
 }
 
@@ -42,8 +43,10 @@ void ProgressLine::draw(double fraction) {
   const double f = std::clamp(fraction, 0.0, 1.0);
   const int filled = int(f * kBarWidth);
   // \r goes back to the line's start, \033[K clears what is right of the text.
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  {}  {:.1f} s\033[K", "", filled, "", kBarWidth - filled,
-             100 * f, stage_, total_.seconds());
+  std::fputs(fmt::format("\r[{:#<{}}{:.<{}}] {:3.0f} %  {}  {:.1f} s\033[K", "", filled, "",
+                         kBarWidth - filled, 100 * f, stage_, total_.seconds())
+                 .c_str(),
+             stderr);
   std::fflush(stderr);
   drawn_ = true;
   lastDraw_ = Timer();
@@ -51,7 +54,7 @@ void ProgressLine::draw(double fraction) {
 
 void ProgressLine::wipe() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
+  std::fputs("\r\033[K", stderr);
   std::fflush(stderr);
   drawn_ = false;
 }

@@ -27,7 +27,9 @@ void log(LogLevel level, const std::string& sentence) {
   if (s.listener)
     s.listener(level, sentence);
   else
-    fmt::print(stderr, "sonoskin: {}: {}\n", level == LogLevel::warning ? "warning" : "note", sentence);
+    std::fputs(
+        fmt::format("sonoskin: {}: {}\n", level == LogLevel::warning ? "warning" : "note", sentence).c_str(),
+        stderr);
 }
 
 void setLogListener(LogListener listener) {

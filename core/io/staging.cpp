@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -154,6 +155,7 @@ void followJournal(const fs::path& staging, const fs::path& folder) {
 // Staging folders that are not finished. Held while something is given its name.
 std::mutex unfinishedMutex;
 std::vector<fs::path> unfinished;
+std::atomic<bool> published{false};
 
 }  // namespace
 
@@ -220,7 +222,10 @@ void Staging::publish(const std::vector<std::string>& obsolete) {
     if (isPlainName(name) && std::ranges::count(lines, "+" + name) == 0) lines.push_back("-" + name);
   writeJournal(path_, lines);
   followJournal(path_, folder_);
+  published = true;
 }
+
+bool hasPublished() { return published; }
 
 void Staging::publishOnly(const std::string& name) {
   const std::lock_guard guard(unfinishedMutex);

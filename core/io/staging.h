@@ -38,6 +38,9 @@ class Staging {
 // published are completed, all else is removed. Leaves alone what belongs to somebody else or is in use.
 void finishInterrupted(const std::filesystem::path& folder);
 
+// hasPublished: whether a set of files was published since the program began.
+bool hasPublished();
+
 // flushFile: waits until a file is on the disk.
 //   errors  Error (system): it could not be written completely
 void flushFile(const std::filesystem::path& file);
