@@ -19,6 +19,7 @@
 #include "app/window.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/reader_process.h"
 
 namespace sonoskin {
 namespace {
@@ -96,6 +97,7 @@ int parseAndRun(int argc, char** argv) {
 
 int runCommandLine(int argc, char** argv) {
   prepareStreams();
+  startReaders();
   try {
     return parseAndRun(argc, argv);
   } catch (const Cancelled&) {

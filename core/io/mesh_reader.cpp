@@ -14,6 +14,8 @@
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/ply_reader.h"
+#include "core/io/reader_process.h"
+#include "core/io/reader_wire.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -72,6 +74,8 @@ class Collector {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
       if (face.mNumIndices != 3) continue;  // points and lines
+      require(std::max({face.mIndices[0], face.mIndices[1], face.mIndices[2]}) < part.mNumVertices,
+              "{} has a triangle without vertices; get a fresh copy.", path_.string());
       Triangle t{moved[face.mIndices[0]], moved[face.mIndices[1]], moved[face.mIndices[2]]};
       if (mirrors) std::swap(t[1], t[2]);
       mesh_.triangles.push_back(t);
@@ -154,6 +158,11 @@ void turn(Mesh& mesh, const Turn& turned, float scale) {
 }  // namespace
 
 Mesh readMesh(const fs::path& path, const Progress& progress) {
+  if (!readersRun()) return parseMesh(path, progress);
+  return meshFrom(readApart(ReaderTask::mesh, path, progress).bytes(), path);
+}
+
+Mesh parseMesh(const fs::path& path, const Progress& progress) {
   const std::string extension = lowerExtension(path);
   require(extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".glb" ||
               extension == ".3mf",

@@ -1,0 +1,176 @@
+#include "core/io/reader_wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "core/base/error.h"
+#include "core/io/mesh_reader.h"
+#include "core/io/volume_loader.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+class Writer {
+ public:
+  explicit Writer(const Write& write) : write_(write) {}
+
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(const T& value) const { write_(&value, sizeof value); }
+  template <class T>
+  void operator()(const std::vector<T>& values) const {
+    (*this)(std::uint64_t(values.size()));
+    write_(values.data(), values.size() * sizeof(T));
+  }
+  void operator()(const std::string& text) const {
+    (*this)(std::uint64_t(text.size()));
+    write_(text.data(), text.size());
+  }
+
+ private:
+  const Write& write_;
+};
+
+class Taker {
+ public:
+  Taker(std::span<const std::uint8_t> bytes, const fs::path& path) : bytes_(bytes), path_(path) {}
+
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { take(&value, sizeof value); }
+  void operator()(bool& value) {
+    std::uint8_t byte = 0;
+    (*this)(byte);
+    value = byte != 0;
+  }
+  template <class T>
+  void operator()(std::vector<T>& values) {
+    values.resize(count(sizeof(T)));
+    take(values.data(), values.size() * sizeof(T));
+  }
+  void operator()(std::string& text) {
+    text.resize(count(1));
+    take(text.data(), text.size());
+  }
+
+ private:
+  std::size_t count(std::size_t bytesEach) {
+    std::uint64_t count = 0;
+    (*this)(count);
+    check(count <= bytes_.size() / bytesEach);
+    return std::size_t(count);
+  }
+  void take(void* to, std::size_t bytes) {
+    check(bytes <= bytes_.size());
+    if (bytes > 0) std::memcpy(to, bytes_.data(), bytes);
+    bytes_ = bytes_.subspan(bytes);
+  }
+  void check(bool holds) const {
+    require(holds, "{} cannot be read: it is damaged; get a fresh copy.", path_.string());
+  }
+
+  std::span<const std::uint8_t> bytes_;
+  const fs::path& path_;
+};
+
+// The same order for both ways. V: LoadedVolume, const where it is written.
+template <class F, class V>
+void walkVolume(F& f, V& v) {
+  auto& s = v.stored;
+  auto& g = s.geometry;
+  f(s.format), f(g.dims), f(g.spacing), f(g.origin), f(g.direction);
+  f(s.spacingKnown), f(s.type), f(s.components), f(s.timeSteps), f(s.timeIsFastest), f(s.modality);
+  f(v.bytes), f(v.numbers);
+}
+
+template <class F, class M>
+void walkMesh(F& f, M& m) {
+  f(m.positions), f(m.normals), f(m.visibility), f(m.triangles), f(m.cornerUvs), f(m.measured), f(m.labels);
+}
+
+bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool isFinite(const glm::vec3& v) { return isFinite(glm::dvec3(v)); }
+
+void writeOptionals(const Writer& f, const StoredVolume& s) {
+  f(std::uint8_t(s.unitRange.has_value()));
+  if (s.unitRange) f(s.unitRange->first), f(s.unitRange->second);
+  f(std::uint8_t(s.beam.has_value()));
+  if (!s.beam) return;
+  f(std::uint8_t(s.beam->apex.has_value()));
+  if (s.beam->apex) f(*s.beam->apex);
+  f(s.beam->axis), f(s.beam->up);
+}
+
+void takeOptionals(Taker& f, StoredVolume& s) {
+  bool has = false;
+  if (f(has); has) f(s.unitRange.emplace().first), f(s.unitRange->second);
+  if (f(has); !has) return;
+  s.beam.emplace();
+  if (f(has); has) f(s.beam->apex.emplace());
+  f(s.beam->axis), f(s.beam->up);
+}
+
+bool isSound(const LoadedVolume& v) {
+  const StoredVolume& s = v.stored;
+  constexpr int kMost = 1 << 16;
+  const auto fits = [](int number) { return number >= 1 && number <= kMost; };
+  if (std::size_t(s.type) > std::size_t(NumberType::float64) || !fits(s.components) || !fits(s.timeSteps) ||
+      !fits(s.geometry.dims.x) || !fits(s.geometry.dims.y) || !fits(s.geometry.dims.z))
+    return false;
+  if (s.beam &&
+      !(isFinite(s.beam->axis) && isFinite(s.beam->up) && isFinite(s.beam->apex.value_or(glm::dvec3(0)))))
+    return false;
+  const double expected =
+      double(s.geometry.voxels()) * double(s.components) * double(numberTypeBytes(s.type));
+  return double(v.numbers.size()) == expected;
+}
+
+bool isSound(const Mesh& m) {
+  const std::size_t n = m.positions.size();
+  const auto fits = [&](std::size_t size) { return size == 0 || size == n; };
+  return fits(m.normals.size()) && fits(m.visibility.size()) && fits(m.measured.size()) &&
+         fits(m.labels.size()) && (m.cornerUvs.empty() || m.cornerUvs.size() == m.triangles.size()) &&
+         std::ranges::all_of(m.positions, [](const glm::vec3& p) { return isFinite(p); }) &&
+         std::ranges::all_of(m.triangles, [&](const Triangle& t) {
+           return std::max({t[0], t[1], t[2]}) < n;
+         });
+}
+
+}  // namespace
+
+void performTask(ReaderTask task, const fs::path& path, const Write& write, const Progress& progress) {
+  const Writer writer(write);
+  if (task == ReaderTask::mesh) {
+    const Mesh mesh = parseMesh(path, progress);
+    walkMesh(writer, mesh);
+  } else {
+    const LoadedVolume volume = loadVolume(path, progress);
+    writeOptionals(writer, volume.stored);
+    walkVolume(writer, volume);
+  }
+}
+
+LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
+  Taker taker(answer, path);
+  LoadedVolume volume;
+  takeOptionals(taker, volume.stored);
+  walkVolume(taker, volume);
+  require(isSound(volume), "{} cannot be read: it is damaged; get a fresh copy.", path.string());
+  checkGeometry(volume.stored, path);
+  return volume;
+}
+
+Mesh meshFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
+  Taker taker(answer, path);
+  Mesh mesh;
+  walkMesh(taker, mesh);
+  require(isSound(mesh),
+          "{} has triangles without vertices, or vertices at no finite place; get a fresh copy.",
+          path.string());
+  return mesh;
+}
+
+}  // namespace sonoskin
