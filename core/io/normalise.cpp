@@ -95,16 +95,25 @@ std::pair<double, double> percentiles(std::span<const float> data) {
 }
 
 std::pair<double, double> unitRange(const StoredVolume& stored, const NormalisedVolume& n) {
-  if (stored.unitRange) return *stored.unitRange;
   std::pair<double, double> range;
-  if (stored.type == NumberType::uint8 || stored.type == NumberType::int8) {
+  if (stored.unitRange)
+    range = *stored.unitRange;
+  else if (stored.type == NumberType::uint8 || stored.type == NumberType::int8) {
     const double least = stored.type == NumberType::uint8 ? 0 : -128;
     range = {least, least + 255};
   } else {
     range = percentiles(n.volume.data);
     if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};
   }
-  return range.first < range.second ? range : std::pair{range.first, range.first + 1};
+  return range;
+}
+
+// A range that can be divided by, whatever a constant volume or a header holds.
+std::pair<double, double> withWidth(const std::pair<double, double>& range) {
+  const double width = range.second - range.first;
+  if (width > 0 && std::isfinite(width)) return range;
+  const double from = std::isfinite(range.first) ? range.first : 0;
+  return {from, from + std::max(1.0, std::abs(from))};
 }
 
 }  // namespace
@@ -114,7 +123,7 @@ NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::ui
   NormalisedVolume n;
   n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
   std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
-  std::tie(n.originalMin, n.originalMax) = unitRange(stored, n);
+  std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n));
   const std::size_t slice = n.volume.data.size() / std::size_t(stored.geometry.dims.z);
   const double width = n.originalMax - n.originalMin;
   parallelFor(

@@ -1,5 +1,6 @@
 #include "core/io/stored_volume.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -57,6 +58,11 @@ void checkDims(const glm::ivec3& dims, const fs::path& path) {
           dims.x, dims.y, dims.z);
 }
 
+// mm: a grain of dust and a room, so that lengths in metres and micrometres taken for millimetres are told; places
+// farther away than that lose hundredths of a millimetre in a float.
+constexpr double kLeastExtent = 0.05, kMostExtent = 10'000, kFarthestOrigin = 100'000;
+constexpr double kMostAnisotropic = 1000;  // largest spacing beside the smallest
+
 }  // namespace
 
 std::string_view numberTypeName(NumberType type) { return kTypes[std::size_t(type)].name; }
@@ -82,7 +88,15 @@ void checkGeometry(StoredVolume& stored, const fs::path& path) {
   require(finite(g.spacing) && g.spacing.x > 0 && g.spacing.y > 0 && g.spacing.z > 0,
           "The spacing in {} is {} x {} x {}; it must be positive, correct the header.", path.string(),
           g.spacing.x, g.spacing.y, g.spacing.z);
-  require(finite(g.origin), "The origin in {} is not a finite position; correct the header.", path.string());
+  const glm::dvec3 extent = glm::dvec3(g.dims) * g.spacing;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const double coarsest = std::max({g.spacing.x, g.spacing.y, g.spacing.z});
+  require(
+      longest >= kLeastExtent && longest <= kMostExtent && coarsest <= kMostAnisotropic * g.minSpacing(),
+      "The spacing in {} is {} x {} x {} mm, which no scan of a body has; correct the unit in the header.",
+      path.string(), g.spacing.x, g.spacing.y, g.spacing.z);
+  require(finite(g.origin) && glm::length(g.origin) <= kFarthestOrigin,
+          "The origin in {} is no position within 100 m; correct the header.", path.string());
   for (int a = 0; a < 3; ++a)
     require(finite(g.direction[a]), "The direction of the axes in {} is not finite; correct the header.",
             path.string());

@@ -1,5 +1,8 @@
 #include "core/skin/skin_surface.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/mesh/decimate.h"
@@ -38,6 +41,9 @@ void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& su
   if (surface.pointBased) surface.atlas = blockAtlas(mesh, options.texel, options.maxSize);
 }
 
+// However large the object, its maps have no more texels than this, skirts and gaps aside: 80 bytes each.
+constexpr double kMostTexels = 8e6;
+
 }  // namespace
 
 SkinQuality fullQuality() { return {}; }
@@ -67,7 +73,7 @@ std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh,
   surface->mesh = reduced(std::move(mesh), quality.triangles, progress.part(0, 0.2));
   const SurfaceTraits traits = measureTraits(*surface->mesh, 128, 2, progress.part(0.2, 0.5));
   AtlasOptions options;
-  options.texel = quality.texel;
+  options.texel = std::max(quality.texel, std::sqrt(surfaceArea(*surface->mesh) / kMostTexels));
   options.skirt = quality.skirt;
   options.front = front;
   options.maxSize = kMaxSize;

@@ -10,7 +10,7 @@ namespace sonoskin {
 
 // SkinQuality: what pictures of skin may cost.
 //   triangles       the mesh is reduced to about so many; 0: all are kept
-//   texel           mm
+//   texel           mm; larger on objects of more than some 0.2 m², whose maps would not end
 //   skirt           mm: how much of the surface beyond a chart is drawn beside it for blurs to find: three widths of the
 //                   widest blur make 8; 5 cost 0.0005 of its red on average      [skin specification, section 4.1]
 //   shadowSize      texels along the side of each light's depth map

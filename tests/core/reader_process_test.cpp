@@ -1,0 +1,166 @@
+#include "core/io/reader_process.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "core/base/timer.h"
+#include "core/io/mesh_reader.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/reader_wire.h"
+#include "core/io/volume_loader.h"
+#include "core/io/volume_reader.h"
+#include "core/io/volume_writer.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/solids.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+namespace fs = std::filesystem;
+using test::expectError;
+using test::fileText;
+using test::TempFolder;
+
+// Every test runs with readers; before it begins there are no threads that a fork could disturb.
+struct Readers : testing::Test {
+  Readers() { startReaders(); }
+  const TempFolder folder;
+
+  fs::path volume(const std::string& name) const {
+    std::uint64_t n = 0;
+    const auto noise =
+        test::fill(test::grid({12, 9, 7}, {0.5, 0.6, 0.7}), [&](glm::dvec3) { return test::noise(n++); });
+    writeVolume(folder / name, noise, Beam{glm::dvec3(1, 2, 3), {0, 1, 0}, {0, 0, 1}});
+    return folder / name;
+  }
+  fs::path mesh(const std::string& name) const {
+    writeMesh(folder / name, test::solid(
+                                 [](const glm::dvec3& x) {
+                                   return test::ball(x, {0, 0, 0}, 5);
+                                 },
+                                 {6, 6, 6}, 2));
+    return folder / name;
+  }
+};
+
+TEST_F(Readers, GiveTheSameVolume) {
+  for (const std::string& extension : volumeExtensions()) {
+    SCOPED_TRACE(extension);
+    const fs::path file = volume("scan" + extension);
+    const LoadedVolume here = loadVolume(file);
+    const LoadedVolume apart = volumeFrom(readApart(ReaderTask::volume, file).bytes(), file);
+    EXPECT_EQ(apart.numbers, here.numbers);
+    EXPECT_EQ(apart.bytes, here.bytes);
+    EXPECT_EQ(apart.stored.format, here.stored.format);
+    EXPECT_EQ(apart.stored.type, here.stored.type);
+    EXPECT_EQ(apart.stored.geometry.spacing, here.stored.geometry.spacing);
+    EXPECT_EQ(apart.stored.geometry.direction, here.stored.geometry.direction);
+    EXPECT_EQ(apart.stored.unitRange, here.stored.unitRange);
+    ASSERT_EQ(apart.stored.beam.has_value(), here.stored.beam.has_value());
+    if (here.stored.beam) {
+      EXPECT_EQ(apart.stored.beam->apex, here.stored.beam->apex);
+    }
+  }
+}
+
+TEST_F(Readers, GiveTheSameMesh) {
+  for (const std::string& extension : meshExtensions()) {
+    SCOPED_TRACE(extension);
+    const fs::path file = mesh("mesh" + extension);
+    const Mesh here = parseMesh(file), apart = readMesh(file);
+    EXPECT_EQ(apart.positions, here.positions);
+    EXPECT_EQ(apart.triangles, here.triangles);
+    EXPECT_EQ(apart.normals, here.normals);
+  }
+}
+
+TEST_F(Readers, PassErrorsOn) {
+  expectError([&] { readScan(folder / "missing.nrrd"); }, "There is no file");
+  expectError([&] { readScan(folder.write("a.xyz", "x")); }, "is not known");
+  ASSERT_EQ(::mkfifo((folder / "pipe.nrrd").c_str(), 0600), 0);
+  expectError([&] { readScan(folder / "pipe.nrrd"); }, "not an ordinary file");
+  expectError([&] { readMesh(folder / "pipe.ply"); }, "There is no file");
+}
+
+// What ends the libraries: an assert of GDCM's, an overflow of teem's stack.
+TEST_F(Readers, SurviveWhatTheLibrariesDoNot) {
+  fs::create_directory(folder / "series");
+  std::ofstream(folder / "series/a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM";
+  expectError([&] { readScan(folder / "series"); }, "");
+  expectError([&] { readScan(folder / "series/a.dcm"); }, "");
+  const std::string field = "space: " + std::string(3000, 'x') + "\n";
+  const fs::path file = folder.write("long.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\n" + field +
+                                                      "sizes: 2 2 2\nencoding: raw\n\n12345678");
+  expectError([&] { readScan(file); }, "");
+  EXPECT_NO_THROW(readScan(volume("good.nrrd")));  // the next file is read as ever
+}
+
+// Bytes that are damaged one by one, and files that end early: a result or a sentence, never the end.
+TEST_F(Readers, SurviveDamagedFiles) {
+  std::vector<fs::path> files;
+  for (const std::string& extension : meshExtensions()) files.push_back(mesh("m" + extension));
+  for (const std::string& extension : volumeExtensions()) files.push_back(volume("v" + extension));
+  std::uint64_t n = 7;
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.extension().string());
+    const std::string whole = fileText(file);
+    for (int damage = 0; damage < 24; ++damage) {
+      std::string bytes = whole;
+      if (damage < 4)
+        bytes.resize(whole.size() * std::size_t(damage + 1) / 6);
+      else
+        bytes[std::size_t(test::noise(n++) * double(std::min<std::size_t>(whole.size(), 2000)))] ^=
+            char(1 << damage % 8);
+      const fs::path damaged = folder.write(fmt::format("d{}", file.filename().string()), bytes);
+      try {
+        if (file.stem() == "m")
+          readMesh(damaged);
+        else
+          readScan(damaged);
+      } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).ends_with('.')) << error.what();
+      }
+    }
+  }
+}
+
+TEST_F(Readers, CanBeCancelled) {
+  ProgressSink sink;
+  sink.cancel = true;
+  EXPECT_THROW(readScan(volume("scan.nrrd"), Progress(sink)), Cancelled);
+}
+
+// Answers that contradict themselves are refused, whatever wrote them.
+TEST(ReaderWire, TrustsNothing) {
+  std::vector<std::uint8_t> bytes;
+  const TempFolder folder;
+  Mesh square;
+  square.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  square.triangles = {{0, 1, 2}};
+  writeMesh(folder / "a.ply", square);
+  performTask(ReaderTask::mesh, folder / "a.ply",
+              [&](const void* data, std::size_t count) {
+                const auto* from = static_cast<const std::uint8_t*>(data);
+                bytes.insert(bytes.end(), from, from + count);
+              },
+              {});
+  EXPECT_EQ(meshFrom(bytes, "a.ply").triangles, square.triangles);
+  for (std::size_t end = 0; end < bytes.size(); ++end)
+    expectError([&] { meshFrom(std::span(bytes).first(end), "a.ply"); }, "a.ply");
+  for (std::size_t b = 0; b < bytes.size();
+       ++b) {  // any byte may be wrong: an answer that holds, or a refusal
+    std::vector<std::uint8_t> wrong = bytes;
+    wrong[b] ^= 0x80;
+    try {
+      const Mesh mesh = meshFrom(wrong, "a.ply");
+      for (const Triangle& t : mesh.triangles) EXPECT_LT(std::max({t[0], t[1], t[2]}), mesh.positions.size());
+    } catch (const Error&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sonoskin
