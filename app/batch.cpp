@@ -60,6 +60,7 @@ Scan load(BatchRun& run) {
     scan = loadInput(run.options.input, run.parameters, run.progress.part(0, kLoaded));
     return scan.volume->data.size() * sizeof(float);
   });
+  run.report.input = run.options.inputName.empty() ? scan.key.hex() : run.options.inputName;
   const Geometry& g = scan.volume->geometry;
   run.report.dims = {g.dims.x, g.dims.y, g.dims.z};
   run.report.spacing = {g.spacing.x, g.spacing.y, g.spacing.z};
@@ -254,7 +255,6 @@ Report runBatch(const BatchOptions& options, const Progress& progress,
                stageBegins,
                OutputFolder(options.folder),
                {}};
-  run.report.input = inputName(options.input.volume);
   run.report.threads = threadCount();
 
   const Scan scan = load(run);

@@ -20,10 +20,12 @@ enum class Bake { none, colour, light };
 constexpr std::array<const char*, 3> enumNames(Bake) { return {"none", "colour", "light"}; }
 
 // BatchOptions: one run without a window.
+//   inputName  what the report may call the input; empty: by its fingerprint
 //   bake    of those of the mesh's formats that hold pictures (glb, obj)
 struct BatchOptions {
   InputFiles input;
   std::filesystem::path folder;
+  std::string inputName{};
   Parameters parameters;
   std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf
   bool keepClassified = false, keepThinned = false, keepPoints = false;

@@ -27,7 +27,8 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
 // withLandmarks: the parameters, with the phantom's own landmarks where it is the input and none are set.
 Parameters withLandmarks(Parameters parameters, const std::string& input);
 
-// inputName: what a report may say of an input: the file's name without its folders.
+// inputName: the name of a file or folder without the folders that it lies in. For the person who gave it; what leaves the
+// machine holds it only where that person asked for it.
 std::string inputName(const std::string& input);
 
 // isMeshFile: whether a file's ending is that of a mesh.

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/session.h"
@@ -82,6 +83,20 @@ void Session::saveErased(const fs::path& path) {
 
 // ---- saving
 
+namespace {
+
+// Whether a file is a recipe, which a new one may replace.
+bool isRecipe(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(std::size_t(1) << 20, ' ');
+  stream.read(text.data(), std::streamsize(text.size()));
+  text.resize(std::size_t(stream.gcount()));
+  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  return root.is_object() && root.contains("sonoskin");
+}
+
+}  // namespace
+
 void Session::saveAlone(const fs::path& path, std::function<void(const Progress&)> write) {
   saver_.append({"Saving " + path.filename().string(), std::move(write),
                  [this, path] { report(Message::Kind::note, "Saved " + path.string()); }});
@@ -92,14 +107,16 @@ void Session::save(const fs::path& path, std::function<void(const Progress&)> wr
   saveAlone(path, [path, recipe, write = std::move(write)](const Progress& progress) {
     write(progress);
     const fs::path beside = fs::path(path).replace_extension(".recipe.json");
+    if (std::error_code code; fs::exists(beside, code) && !isRecipe(beside))
+      throw Error(fmt::format("{} is saved, but its recipe is not: {} is something else.",
+                              path.filename().string(), beside.filename().string()),
+                  Error::Kind::system);
     writeBytes(beside, recipe.data(), recipe.size());
   });
 }
 
-std::string Session::proposedName(const std::string& ending) const {
-  const std::string stem = name_.substr(0, name_.find('.'));
-  return (stem.empty() ? "sonoskin" : stem) + ending;
-}
+// A volume's own name may be a patient's.
+std::string Session::proposedName(const std::string& ending) const { return "surface" + ending; }
 
 void Session::saveMesh(const fs::path& path) {
   require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostRecent = 8;
+constexpr fs::perms kMine = fs::perms::owner_read | fs::perms::owner_write;
 
 SkinQualityChoice qualityNamed(const std::string& name) {
   const auto names = enumNames(SkinQualityChoice{});
@@ -25,6 +26,7 @@ SkinQualityChoice qualityNamed(const std::string& name) {
 }  // namespace
 
 void Settings::noteOpened(const fs::path& file) {
+  if (!remembersFiles) return;
   std::error_code error;
   const fs::path full = fs::absolute(file, error);
   recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
@@ -50,6 +52,7 @@ Settings readSettings(const fs::path& file) {
     settings.folder = root.value("folder", std::string());
     for (const json& recent : root.value("recent", json::array()))
       settings.recent.emplace_back(recent.get<std::string>());
+    settings.remembersFiles = root.value("remembersFiles", true);
     settings.width = std::clamp(root.value("width", settings.width), 800, 8192);
     settings.height = std::clamp(root.value("height", settings.height), 600, 8192);
     settings.skinQuality = qualityNamed(root.value("skinQuality", std::string()));
@@ -65,6 +68,7 @@ void writeSettings(const fs::path& file, const Settings& settings) {
   for (const fs::path& f : settings.recent) recent.push_back(f.string());
   const json root{{"folder", settings.folder.string()},
                   {"recent", recent},
+                  {"remembersFiles", settings.remembersFiles},
                   {"width", settings.width},
                   {"height", settings.height},
                   {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]}};
@@ -72,7 +76,11 @@ void writeSettings(const fs::path& file, const Settings& settings) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   try {
-    writeBytes(file, text.data(), text.size());
+    writeAtomically(file, [&](const fs::path& temporary) {
+      fs::permissions(temporary, kMine);
+      std::ofstream(temporary) << text;
+    });
+    fs::permissions(file, kMine, error);  // an earlier file may have been open to others
   } catch (const Error&) {
   }
 }

@@ -15,6 +15,7 @@ constexpr std::array<const char*, 3> enumNames(SkinQualityChoice) { return {"aut
 struct Settings {
   std::filesystem::path folder;               // where files were last opened or saved
   std::vector<std::filesystem::path> recent;  // volumes, the latest first
+  bool remembersFiles = true;                 // whether `recent` is filled and kept
   int width = 1500, height = 940;             // of the window, at content scale 1
   SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
 
@@ -27,7 +28,7 @@ std::filesystem::path settingsFile();
 
 // readSettings: what the file holds; defaults for what it lacks, and where it is missing or damaged.
 Settings readSettings(const std::filesystem::path& file);
-// writeSettings: makes the folder where needed. A failure is not worth a word: nothing is lost but comfort.
+// writeSettings: for this user's eyes alone (mode 600); makes the folder where needed. A failure is not worth a word: nothing is lost but comfort.
 void writeSettings(const std::filesystem::path& file, const Settings& settings);
 
 }  // namespace sonoskin

@@ -29,10 +29,11 @@ std::vector<Row> rowsOf(const MeshDistances& d) {
           {"b_to_a", "B to A, everywhere", d.bToA}};
 }
 
-std::string comparisonJson(const CompareOptions& options, const MeshDistances& distances) {
+std::string comparisonJson(const CompareOptions& options, const Console& console,
+                           const MeshDistances& distances) {
   nlohmann::ordered_json json;
-  json["a"] = inputName(options.a);
-  json["b"] = inputName(options.b);
+  if (const std::string a = console.nameOf(options.a); !a.empty()) json["a"] = a;
+  if (const std::string b = console.nameOf(options.b); !b.empty()) json["b"] = b;
   for (const auto& [key, title, s] : rowsOf(distances)) {
     json[key] = {{"vertices", s.vertices},
                  {"area_mm2", s.area},
@@ -63,7 +64,7 @@ void compare(const CompareOptions& options, Console& console) {
   const Mesh b = readMesh(options.b, console.progress().part(0.1, 0.2));
   console.beginStage("distances");
   const MeshDistances distances = measureDistances(a, b, console.progress().part(0.2, 1));
-  console.print(comparisonJson(options, distances), comparisonText(distances));
+  console.print(comparisonJson(options, console, distances), comparisonText(distances));
 }
 
 }  // namespace
@@ -78,6 +79,7 @@ Command addCompareCommand(CLI::App& program, Console& console) {
       ->type_name("");
   console.addThreads(*command);
   console.addJson(*command);
+  console.addNameInput(*command);
   return {command, [options, &console] { compare(*options, console); }};
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/console.h"
 
 #include "app/cli/streams.h"
+#include "app/input.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
 
@@ -13,6 +14,15 @@ constexpr int kMostThreads = 1024;
 
 void Console::addJson(CLI::App& command) {
   command.add_flag("--json", json_, "the result as one JSON object on standard output");
+}
+
+void Console::addNameInput(CLI::App& command) {
+  command.add_flag("--name-input", namesInput_,
+                   "the input's file name in results; without it they hold fingerprints alone");
+}
+
+std::string Console::nameOf(const std::string& input) const {
+  return namesInput_ || input == kPhantomInput ? inputName(input) : std::string();
 }
 
 void Console::addThreads(CLI::App& command) {

@@ -13,13 +13,18 @@ namespace sonoskin {
 // else goes to standard error.
 class Console {
  public:
-  // addJson, addThreads: give a command the options --json and --threads.
+  // addJson, addThreads, addNameInput: give a command the options --json, --threads and --name-input.
   void addJson(CLI::App& command);
+  void addNameInput(CLI::App& command);
   void addThreads(CLI::App& command);
 
   ProgressSink& sink() { return line_.sink(); }
   Progress progress() { return Progress(line_.sink()); }
   void beginStage(const std::string& name) { line_.beginStage(name); }
+
+  // nameOf: what a result may say of an input: "phantom"; the name of a file or folder if that was asked for, for it may be
+  // a patient's; else nothing.
+  std::string nameOf(const std::string& input) const;
 
   // warn: a line each, above the result.
   void warn(const std::vector<std::string>& sentences);
@@ -28,7 +33,7 @@ class Console {
 
  private:
   ProgressLine line_;
-  bool json_ = false;
+  bool json_ = false, namesInput_ = false;
 };
 
 }  // namespace sonoskin

@@ -17,7 +17,8 @@ nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z};
 std::string infoJson(const std::string& name, const VolumeInfo& info) {
   const Geometry& g = info.geometry;
   nlohmann::ordered_json json;
-  json["file"] = name;
+  if (!name.empty()) json["file"] = name;
+  json["fingerprint"] = info.key.hex();
   json["format"] = info.format;
   json["dims"] = {g.dims.x, g.dims.y, g.dims.z};
   json["spacing_mm"] = vectorJson(g.spacing);
@@ -65,7 +66,7 @@ void printMesh(const std::string& file, Console& console) {
   console.beginStage("checking");
   const MeshFacts facts = measureMesh(mesh, console.progress().part(0.3, 1));
   nlohmann::ordered_json json;
-  json["file"] = inputName(file);
+  if (const std::string name = console.nameOf(file); !name.empty()) json["file"] = name;
   json.update(nlohmann::ordered_json::parse(factsJson(facts)));
   console.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
                 inputName(file) + ":\n" + factsText(facts));
@@ -73,8 +74,7 @@ void printMesh(const std::string& file, Console& console) {
 
 void printVolume(const std::string& file, Console& console) {
   const VolumeInfo info = readVolumeInfo(file, console.progress());
-  const std::string name = inputName(file);
-  console.print(infoJson(name, info), infoText(name, info));
+  console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }
 
 }  // namespace
@@ -88,6 +88,7 @@ Command addInfoCommand(CLI::App& program, Console& console) {
       ->type_name("");
   console.addThreads(*command);
   console.addJson(*command);
+  console.addNameInput(*command);
   return {command,
           [file, &console] { isMeshFile(*file) ? printMesh(*file, console) : printVolume(*file, console); }};
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/input.h"
 #include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
 #include "core/base/version.h"
@@ -39,8 +40,8 @@ void phantom(const PhantomCommandOptions& options, Console& console) {
   const Geometry& g = scan.volume->geometry;
   nlohmann::ordered_json json;
   json["version"] = kVersion;
-  json["file"] = options.out;
-  if (!options.truth.empty()) json["truth"] = options.truth;
+  json["file"] = inputName(options.out);
+  if (!options.truth.empty()) json["truth"] = inputName(options.truth);
   json["dims"] = {g.dims.x, g.dims.y, g.dims.z};
   json["spacing_mm"] = {g.spacing.x, g.spacing.y, g.spacing.z};
   json["scene"] = enumNames(phantom.scene)[std::size_t(phantom.scene)];

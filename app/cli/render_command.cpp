@@ -126,8 +126,8 @@ void render(RenderOptions& options, Console& console) {
   }
 
   nlohmann::ordered_json json;
-  json["input"] = inputName(options.files.volume);
-  json["file"] = options.out;
+  if (const std::string name = console.nameOf(options.files.volume); !name.empty()) json["input"] = name;
+  json["file"] = inputName(options.out);
   json["view"] = options.view;
   const Image& picture = made.baked ? made.baked->colour : made.picture;
   json["size"] = {picture.width, picture.height};
@@ -184,6 +184,7 @@ Command addRenderCommand(CLI::App& program, Console& console) {
   addBackendOption(*command, options->backend);
   console.addThreads(*command);
   console.addJson(*command);
+  console.addNameInput(*command);
   options->parameters.addTo(*command);
   return {command, [options, &console] { render(*options, console); }};
 }

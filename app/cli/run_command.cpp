@@ -27,6 +27,7 @@ void run(RunOptions& options, Console& console) {
   if (batch.bake != Bake::none && !canBake)
     throw Error("--bake: --export must name glb or obj, which can hold pictures", Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
+  batch.inputName = console.nameOf(batch.input.volume);
   batch.keepClassified = keeps("classified");
   batch.keepThinned = keeps("thinned");
   batch.keepPoints = keeps("points");
@@ -60,6 +61,7 @@ Command addRunCommand(CLI::App& program, Console& console) {
   addBackendOption(*command, batch.backend);
   console.addThreads(*command);
   console.addJson(*command);
+  console.addNameInput(*command);
   options->parameters.addTo(*command);
   return {command, [options, &console, command] {
             options->batch.turnsFormat = command->count("--size") == 0;

@@ -12,12 +12,18 @@ namespace {
 constexpr std::array<const char*, 6> kMenuTitles{"File", "Edit", "View", "Region", "Surface", "Help"};
 
 void drawRecent(Workspace& workspace) {
-  if (!ImGui::BeginMenu("Open recent", !workspace.settings.recent.empty())) return;
+  if (!ImGui::BeginMenu("Open recent")) return;
   std::filesystem::path chosen;  // opening reorders the list
   for (const auto& file : workspace.settings.recent) {
     if (ImGui::MenuItem(file.c_str())) chosen = file;
   }
   if (!chosen.empty()) workspace.open(chosen);
+  if (!workspace.settings.recent.empty()) ImGui::Separator();
+  if (ImGui::MenuItem("Forget these", nullptr, false, !workspace.settings.recent.empty()))
+    workspace.settings.recent.clear();
+  if (ImGui::MenuItem("Remember files", nullptr, &workspace.settings.remembersFiles) &&
+      !workspace.settings.remembersFiles)
+    workspace.settings.recent.clear();
   ImGui::EndMenu();
 }
 

@@ -56,6 +56,7 @@ VolumeInfo readVolumeInfo(const fs::path& path, const Progress& progress) {
   info.valueMax = normalised.valueMax;
   info.bytes = loaded.bytes;
   info.beam = loaded.stored.beam;
+  info.key = scanKey(normalised.volume, info.beam);
   return info;
 }
 

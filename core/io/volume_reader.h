@@ -31,6 +31,7 @@ struct VolumeInfo {
   double valueMin = 0, valueMax = 0;  // least and greatest finite value of the first time step
   std::uintmax_t bytes = 0;           // of the file or files
   std::optional<Beam> beam;
+  Key key;  // the fingerprint that a recipe of this volume holds (scanKey)
 };
 
 // readVolumeInfo: reads the file as readScan does and tells what is in it.

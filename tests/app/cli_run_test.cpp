@@ -104,7 +104,7 @@ TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {
   EXPECT_TRUE(report["print"]["closed"].get<bool>() && report["print"]["manifold"].get<bool>());
   EXPECT_EQ(report["print"]["self_intersections"], 0);
   for (const char* name : {"print.stl", "print.3mf"}) {
-    const ProgramResult info = sonoskin({"info", (folder / "out" / name).string(), "--json"});
+    const ProgramResult info = sonoskin({"info", (folder / "out" / name).string(), "--json", "--name-input"});
     ASSERT_EQ(info.status, 0) << info.err;
     const nlohmann::json facts = nlohmann::json::parse(info.out);
     EXPECT_EQ(facts["file"], name);

@@ -48,7 +48,7 @@ TEST(Session, ClassifiesWhatItOpens) {
   ASSERT_TRUE(session.results().classified);
   EXPECT_FALSE(session.classifiedIsCoarse());
   EXPECT_GT(session.results().isoValue, 0);
-  EXPECT_EQ(session.proposedName(".ply"), "Phantom.ply");
+  EXPECT_EQ(session.proposedName(".ply"), "surface.ply");
 }
 
 TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
