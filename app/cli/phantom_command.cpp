@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/input.h"
 #include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
+#include "app/input.h"
 #include "core/base/version.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"

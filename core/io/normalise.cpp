@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/base/parallel.h"
+#include "core/io/padding.h"
 
 namespace sonoskin {
 namespace {
@@ -78,13 +80,14 @@ std::pair<double, double> extremes(std::span<const float> data) {
   return low <= high ? std::pair<double, double>(low, high) : std::pair<double, double>(0, 0);
 }
 
-std::pair<double, double> percentiles(std::span<const float> data) {
+// Of what was recorded.
+std::pair<double, double> percentiles(std::span<const float> data, const std::optional<Padding>& padding) {
   // An odd stride does not fall into step with rows of even length.
   const std::size_t stride = (data.size() / kSamples) | 1;
   std::vector<float> sample;
   sample.reserve(data.size() / stride + 1);
   for (std::size_t v = 0; v < data.size(); v += stride)
-    if (std::isfinite(data[v])) sample.push_back(data[v]);
+    if (std::isfinite(data[v]) && !(padding && padding->holds(data[v]))) sample.push_back(data[v]);
   if (sample.empty()) return {0, 0};
   const auto at = [&](double p) {
     const auto nth = sample.begin() + std::ptrdiff_t(std::lround(p * double(sample.size() - 1)));
@@ -94,7 +97,16 @@ std::pair<double, double> percentiles(std::span<const float> data) {
   return {at(kLowPercentile), at(kHighPercentile)};
 }
 
-std::pair<double, double> unitRange(const StoredVolume& stored, const NormalisedVolume& n) {
+// 0 to the least of 1, 255 and 65535 that holds the values and of which they use half: so the same scan is the same
+// whatever type it was stored in. Else the values' own range.
+std::pair<double, double> naturalRange(const std::pair<double, double>& values) {
+  for (const double most : {1.0, 255.0, 65535.0})
+    if (values.first >= 0 && values.second <= most && values.second > most / 2) return {0, most};
+  return values;
+}
+
+std::pair<double, double> unitRange(const StoredVolume& stored, const NormalisedVolume& n,
+                                    const std::optional<Padding>& padding) {
   std::pair<double, double> range;
   if (stored.unitRange)
     range = *stored.unitRange;
@@ -102,7 +114,7 @@ std::pair<double, double> unitRange(const StoredVolume& stored, const Normalised
     const double least = stored.type == NumberType::uint8 ? 0 : -128;
     range = {least, least + 255};
   } else {
-    range = percentiles(n.volume.data);
+    range = naturalRange(percentiles(n.volume.data, padding));
     if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};
   }
   return range;
@@ -123,7 +135,8 @@ NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::ui
   NormalisedVolume n;
   n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
   std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
-  std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n));
+  const std::optional<Padding> padding = findPadding(n.volume);
+  std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n, padding));
   const std::size_t slice = n.volume.data.size() / std::size_t(stored.geometry.dims.z);
   const double width = n.originalMax - n.originalMin;
   parallelFor(
@@ -131,8 +144,8 @@ NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::ui
       [&](std::ptrdiff_t k) {
         for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v) {
           float& value = n.volume.data[v];
-          value =
-              std::isfinite(value) ? float(std::clamp((double(value) - n.originalMin) / width, 0.0, 1.0)) : 0;
+          const bool recorded = std::isfinite(value) && !(padding && padding->holds(value));
+          value = recorded ? float(std::clamp((double(value) - n.originalMin) / width, 0.0, 1.0)) : 0;
         }
       },
       progress.part(0.5, 1));

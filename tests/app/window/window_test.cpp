@@ -118,8 +118,8 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   ASSERT_TRUE(d.workspace().files.purpose);
   d.frames(3);
   d.press("Return");
-  ASSERT_TRUE(d.wait([&] { return fs::exists(folder / "Phantom.recipe.json"); }, 20));
-  EXPECT_GT(fs::file_size(folder / "Phantom.ply"), 10000u);
+  ASSERT_TRUE(d.wait([&] { return fs::exists(folder / "surface.recipe.json"); }, 20));
+  EXPECT_GT(fs::file_size(folder / "surface.ply"), 10000u);
   EXPECT_FALSE(d.workspace().files.purpose);
   fs::remove_all(folder);
 }

@@ -1,0 +1,61 @@
+#include "core/io/padding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace sonoskin {
+namespace {
+
+constexpr double kMostSides = 0.5;     // share of the sides' voxels that padding has at least
+constexpr float kNearlyAlike = 0.02f;  // of the range of the rest
+constexpr std::size_t kSamples = 400'000;
+
+std::vector<float> finiteOnes(std::vector<float> values) {
+  std::erase_if(values, [](float v) { return !std::isfinite(v); });
+  std::ranges::sort(values);
+  return values;
+}
+
+std::vector<float> valuesOnSides(const Volume<float>& volume) {
+  const glm::ivec3 d = volume.geometry.dims;
+  std::vector<float> values;
+  for (int k = 0; k < d.z; ++k)
+    for (int j = 0; j < d.y; ++j)
+      for (int i = 0; i < d.x;
+           i += j == 0 || k == 0 || j == d.y - 1 || k == d.z - 1 ? 1 : std::max(1, d.x - 1))
+        values.push_back(volume.at(i, j, k));
+  return finiteOnes(std::move(values));
+}
+
+std::vector<float> sampleOf(const Volume<float>& volume) {
+  const std::size_t stride = (volume.data.size() / kSamples) | 1;
+  std::vector<float> values;
+  for (std::size_t v = 0; v < volume.data.size(); v += stride) values.push_back(volume.data[v]);
+  return finiteOnes(std::move(values));
+}
+
+// The window of a width that holds most of sorted values, as the padding that it would be, and how many it holds.
+std::pair<Padding, std::size_t> fullestWindow(const std::vector<float>& sorted, float width) {
+  std::pair<Padding, std::size_t> best{{}, 0};
+  for (std::size_t first = 0, last = 0; first < sorted.size(); ++first) {
+    while (last < sorted.size() && sorted[last] <= sorted[first] + width) ++last;
+    if (last - first > best.second) best = {{sorted[first], sorted[last - 1]}, last - first};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Padding> findPadding(const Volume<float>& volume) {
+  const std::vector<float> sides = valuesOnSides(volume), all = sampleOf(volume);
+  if (sides.empty() || all.front() == all.back()) return {};
+  const auto isMost = [&](std::size_t count) { return double(count) > kMostSides * double(sides.size()); };
+  const auto [exact, alike] = fullestWindow(sides, 0);
+  if (isMost(alike)) return exact;
+  const float range = all[all.size() * 999 / 1000] - all[all.size() / 1000];
+  const auto [near, count] = fullestWindow(sides, kNearlyAlike * range);
+  return isMost(count) ? std::optional(near) : std::nullopt;
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,73 @@
+#include "core/io/padding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/io/normalise.h"
+#include "tests/support/test_volumes.h"
+
+namespace sonoskin {
+namespace {
+
+// A recorded ball of noise, 20 to 200, in what `outside` gives.
+template <class Outside>
+Volume<float> ballIn(const Outside& outside) {
+  std::uint64_t n = 0;
+  return test::fill(test::grid({24, 24, 24}), [&](glm::dvec3 p) {
+    const double noise = test::noise(n++);
+    return glm::length(p - 11.5) < 11 ? 20 + 180 * noise : outside(noise);
+  });
+}
+
+NormalisedVolume normalised(const Volume<float>& volume) {
+  StoredVolume stored;
+  stored.geometry = volume.geometry;
+  stored.type = NumberType::float32;
+  std::vector<std::uint8_t> numbers(volume.data.size() * sizeof(float));
+  std::memcpy(numbers.data(), volume.data.data(), numbers.size());
+  return normalise(stored, numbers);
+}
+
+// The same scan in any padding is the same scan: 0 outside, and inside as it was.
+TEST(Padding, WhateverItsValueItIsOutside) {
+  const Volume<float> zero = normalised(ballIn([](double) { return 0.0; })).volume;
+  const double far = -double(std::numeric_limits<float>::max());
+  for (const double value : {-1.0, -1024.0, -2000.0, 255.0, 70.0, far}) {
+    const Volume<float> other = normalised(ballIn([&](double) { return value; })).volume;
+    for (std::size_t v = 0; v < zero.data.size(); ++v)
+      ASSERT_NEAR(other.data[v], zero.data[v], 1e-6) << value;
+  }
+  const Volume<float> nearly = normalised(ballIn([](double noise) { return std::floor(4 * noise); })).volume;
+  for (std::size_t v = 0; v < zero.data.size(); ++v) ASSERT_NEAR(nearly.data[v], zero.data[v], 1e-6);
+}
+
+TEST(Padding, IsNotWhatWasRecordedUpToTheSides) {
+  std::uint64_t n = 0;
+  const auto noise =
+      test::fill(test::grid({20, 20, 20}), [&](glm::dvec3) { return 100 + 50 * test::noise(n++); });
+  EXPECT_FALSE(findPadding(noise));
+  EXPECT_FALSE(findPadding(Volume<float>(test::grid({8, 8, 8}), 7)));  // constant: there is nothing else
+}
+
+TEST(Normalise, DoesNotDependOnTheType) {
+  const auto scan = ballIn([](double) { return 0.0; });
+  const Volume<float> whole = normalised(scan).volume;
+  for (const float factor : {1 / 255.f, 257.f}) {
+    Volume<float> other = scan;
+    for (float& v : other.data) v *= factor;
+    const Volume<float> same = normalised(other).volume;
+    for (std::size_t v = 0; v < whole.data.size(); ++v) ASSERT_NEAR(same.data[v], whole.data[v], 1e-6);
+  }
+  for (std::size_t v = 0; v < whole.data.size(); ++v) ASSERT_NEAR(whole.data[v], scan.data[v] / 255, 1e-6);
+}
+
+TEST(Normalise, ConstantVolumesOfAnySizeAreFinite) {
+  for (const float value : {0.f, 1e16f, -3.4e38f, 2e18f})
+    for (const float v : normalised(Volume<float>(test::grid({4, 4, 4}), value)).volume.data) ASSERT_EQ(v, 0);
+}
+
+}  // namespace
+}  // namespace sonoskin
