@@ -203,6 +203,8 @@ std::vector<std::string> obsoleteFiles(const BatchRun& run) {
   static const std::regex kOurs(
       R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.(ply|stl|obj|mtl|glb|3mf)|skin_\w+\.png|)"
       R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)");
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(run.options.folder / "report.json", code)) return {};
   std::ifstream file(run.options.folder / "report.json");
   const nlohmann::json earlier = nlohmann::json::parse(file, nullptr, false);
   std::vector<std::string> obsolete;

@@ -8,6 +8,7 @@
 #include "app/session.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
@@ -53,11 +54,8 @@ void Session::setSpacing(const glm::dvec3& spacing) {
 }
 
 void Session::loadRecipe(const fs::path& path) {
-  std::ifstream file(path);
-  const std::string json{std::istreambuf_iterator<char>(file), {}};
-  require(bool(file), "cannot read {}; check its name and its rights", path.string());
   Parameters read = parameters_;
-  readRecipe(json, read);
+  readRecipe(readText(path), read);
   show(read);
   commitEdit();
 }
@@ -86,13 +84,11 @@ void Session::saveErased(const fs::path& path) {
 namespace {
 
 // Whether a file is a recipe, which a new one may replace.
-bool isRecipe(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::size_t(1) << 20, ' ');
-  stream.read(text.data(), std::streamsize(text.size()));
-  text.resize(std::size_t(stream.gcount()));
-  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+bool isRecipe(const fs::path& file) try {
+  const nlohmann::json root = nlohmann::json::parse(readText(file), nullptr, false);
   return root.is_object() && root.contains("sonoskin");
+} catch (const Error&) {
+  return false;
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ fs::path settingsFile() {
 
 Settings readSettings(const fs::path& file) {
   Settings settings;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return settings;
   std::ifstream stream(file);
   const json root = json::parse(stream, nullptr, false);
   if (!root.is_object()) return settings;

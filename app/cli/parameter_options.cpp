@@ -3,23 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/Error.hpp>
-#include <fstream>
-#include <iterator>
 
 #include "app/parameter_text.h"
 #include "core/base/error.h"
+#include "core/io/file_bytes.h"
 #include "core/pipeline/presets.h"
 #include "core/pipeline/recipe.h"
 #include "core/skin/skin_presets.h"
 
 namespace sonoskin {
 namespace {
-
-std::string readText(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  require(file.good(), "{}: cannot read this recipe", path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // "weight of the iso-value term [0.01 .. 4, default 1] (alpha)"
 std::string helpLine(const ParameterInfo& p) {

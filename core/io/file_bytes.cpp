@@ -26,6 +26,12 @@ std::vector<std::uint8_t> readBytes(const fs::path& path, std::uintmax_t most) {
   return bytes;
 }
 
+std::string readText(const fs::path& path, std::uintmax_t most) {
+  require(fileSize(path) <= most, "{} is too large to be what it should be.", path.string());
+  const std::vector<std::uint8_t> bytes = readBytes(path);
+  return {bytes.begin(), bytes.end()};
+}
+
 std::string lowerExtension(const fs::path& path) {
   std::string name = path.filename().string();
   std::transform(name.begin(), name.end(), name.begin(),

@@ -15,6 +15,10 @@ std::uintmax_t fileSize(const std::filesystem::path& path);
 //   errors  as fileSize; Error: the file cannot be read
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path, std::uintmax_t most = UINTMAX_MAX);
 
+// readText: the text of a small file, such as a recipe.
+//   errors  Error: as fileSize; it is larger than `most` bytes; it cannot be read
+std::string readText(const std::filesystem::path& path, std::uintmax_t most = 4u << 20);
+
 // lowerExtension: the extension in small letters, ".nii.gz" taken as one; empty without any.
 std::string lowerExtension(const std::filesystem::path& path);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <climits>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -34,11 +36,26 @@ constexpr const char* kindName() {
   return "three numbers in a list";
 }
 
+// Whether a whole number is one of an int, and not one that would wrap.
+bool isInt(const Json& json) {
+  if (json.is_number_unsigned()) return json.get<std::uint64_t>() <= std::uint64_t(INT_MAX);
+  return json.get<std::int64_t>() >= INT_MIN;
+}
+
+// A name out of a file as a message may show it: short, and without what a terminal would obey.
+std::string shown(std::string_view name) {
+  constexpr std::size_t kMost = 60;
+  std::string text(name.substr(0, kMost));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return name.size() > kMost ? text + "..." : text;
+}
+
 // Whether the JSON value is of T's kind; JSON's own conversions would take 1.5 for an int.
 template <class T>
 bool fits(const Json& json) {
   if constexpr (std::is_same_v<T, bool>) return json.is_boolean();
-  if constexpr (std::is_same_v<T, int>) return json.is_number_integer();
+  if constexpr (std::is_same_v<T, int>) return json.is_number_integer() && isInt(json);
   if constexpr (std::is_same_v<T, double>) return json.is_number();
   return false;
 }
@@ -84,7 +101,7 @@ void readGroup(const Json& object, const std::string& group, Options& options) {
           fromJson(v, fmt::format("{}.{}", group, k), member);
         },
         options);
-    if (!known) refuse(fmt::format("there is no parameter {}.{}", group, key));
+    if (!known) refuse(fmt::format("there is no parameter {}.{}", group, shown(key)));
   }
 }
 
@@ -93,6 +110,8 @@ Json parse(const std::string& text) {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
     refuse(fmt::format("not valid JSON near byte {}", e.byte));
+  } catch (const Json::exception&) {  // a number beyond all that there are
+    refuse("not valid JSON: a number is too large");
   }
 }
 
@@ -127,7 +146,7 @@ void readRecipe(const std::string& text, Parameters& parameters) {
           readGroup(v, std::string(k), options);
         },
         read);
-    if (!known) refuse(fmt::format("there is no group of parameters \"{}\"", key));
+    if (!known) refuse(fmt::format("there is no group of parameters \"{}\"", shown(key)));
   }
   checkRanges(read);
   parameters = read;

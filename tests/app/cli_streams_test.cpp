@@ -57,6 +57,15 @@ TEST_F(Streams, FilesThatMayNotGrowAreAnError) {
   EXPECT_EQ(std::system(("test $(ls -A " + folder.path().string() + " | wc -l) = 1").c_str()), 0);
 }
 
+TEST_F(Streams, RecipesThatAreNoFilesAreRefusedAtOnce) {
+  ASSERT_EQ(std::system(("mkfifo " + (folder / "pipe").string()).c_str()), 0);
+  for (const std::string& recipe :
+       {(folder / "pipe").string(), folder.path().string(), std::string("/dev/zero")}) {
+    EXPECT_EQ(shell("", "recipe --recipe " + recipe + " >/dev/null 2>" + err), 3) << recipe;
+    EXPECT_NE(said().find("not an ordinary file"), std::string::npos) << said();
+  }
+}
+
 // Renderers end the program where memory is short: the surface is safe by then.
 TEST_F(Streams, ShortMemoryCostsThePicturesAlone) {
   const std::string out = (folder / "out").string();

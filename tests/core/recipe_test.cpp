@@ -1,5 +1,6 @@
 #include "core/pipeline/recipe.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -84,6 +85,19 @@ TEST(Recipe, RefusesWhatItDoesNotKnowByName) {
   EXPECT_NE(complaint(R"({"mesh": {"piecePoint": [1, 2]}})").find("three numbers"), std::string::npos);
   EXPECT_NE(complaint(R"({"classification": {"alpha": 99}})").find("between 0.01 and 4"), std::string::npos);
   EXPECT_NE(complaint(R"({"reconstruction": {"fitWeights": 1}})").find("true or false"), std::string::npos);
+}
+
+// Whatever a file holds: one short line, no wrapped number, nothing that a terminal would obey.
+TEST(Recipe, RefusesWhatJsonAllowsAndWeDoNot) {
+  EXPECT_NE(complaint(R"({"mesh": {"minArea": 1e999}})").find("too large"), std::string::npos);
+  EXPECT_NE(complaint("8.85101009e345649").find("too large"), std::string::npos);
+  for (const char* number : {"4294967297", "-4294967297", "99999999999999999999", "1e3", "2147483648"})
+    EXPECT_NE(complaint(fmt::format(R"({{"mesh": {{"pieceIndex": {}}}}})", number)).find("whole number"),
+              std::string::npos)
+        << number;
+  EXPECT_LT(complaint("{\"" + std::string(2'000'000, 'a') + "\": 1}").size(), 200u);
+  EXPECT_EQ(complaint("{\"a\\u001b[31m\": 1}").find('\x1b'), std::string::npos);
+  EXPECT_NE(complaint(std::string(100'000, '[')), "");
 }
 
 TEST(CheckRanges, RefusesNotANumber) {
