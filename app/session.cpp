@@ -42,7 +42,9 @@ void Session::adopt(Opened opened) {
 void Session::edit(const Parameters& parameters) { show(parameters); }
 
 // Makes these the parameters; what is shown live is made anew where it depends on what changed.
-void Session::show(const Parameters& parameters) {
+void Session::show(const Parameters& given) {
+  Parameters parameters = given;
+  parameters.scan = sidesApart(given.scan, parameters_.scan);  // what is drawn needs beams at any time
   const bool changesResults = !(classifiedKey(parameters) == classifiedKey(parameters_));
   const bool changesPoints =
       !(pointsKey(parameters) == pointsKey(parameters_)) || !(scan_.erasedKey == erased_.key());

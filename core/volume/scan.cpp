@@ -47,6 +47,17 @@ Beam beamOf(const Scan& scan, const ScanOptions& options) {
   return beam;
 }
 
+ScanOptions sidesApart(ScanOptions edited, const ScanOptions& before) {
+  const auto axisOf = [](VolumeSide side) { return int(side) / 2; };
+  if (axisOf(edited.probeSide) != axisOf(edited.topSide)) return edited;
+  const bool probeWasEdited = edited.probeSide != before.probeSide;
+  VolumeSide& other = probeWasEdited ? edited.topSide : edited.probeSide;
+  other = probeWasEdited ? before.probeSide : before.topSide;
+  if (axisOf(edited.probeSide) == axisOf(edited.topSide))  // both were edited, or turned over
+    other = VolumeSide((int(other) / 2 * 2 + 2) % 6);
+  return edited;
+}
+
 namespace {
 
 // Where a volume that was read from a file was not zero there; `name` is what a person calls it.

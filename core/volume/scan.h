@@ -58,6 +58,10 @@ struct Scan {
 //   errors  Error: the options name sides that do not fit
 Beam beamOf(const Scan& scan, const ScanOptions& options);
 
+// sidesApart: options that were edited, with probe and top on sides of different axes, which beamOf asks for: where an edit
+// put both on one axis, the side that was not edited takes the place that the other one left.
+ScanOptions sidesApart(ScanOptions edited, const ScanOptions& before);
+
 // setMask: takes another volume as the mask of what was scanned: where it is not zero in its file.
 //   errors  Error: it has other dimensions, or is zero everywhere
 void setMask(Scan& scan, const Scan& mask);

@@ -51,6 +51,37 @@ TEST(Session, ClassifiesWhatItOpens) {
   EXPECT_EQ(session.proposedName(".ply"), "surface.ply");
 }
 
+// The default top is on the axis of two of the sides: beams are there all the same, whatever is chosen after what.
+TEST(Session, HasBeamsForEveryChoiceOfSides) {
+  Geometry g;
+  g.dims = {24, 24, 24};
+  Volume<float> noise(g);
+  for (std::size_t v = 0; v < noise.data.size(); ++v) noise.data[v] = 0.01f * float(v % 97);
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_sides.nrrd";
+  writeVolume(file, noise);
+  Session session(tinyPhantom());
+  session.openFile(file);
+  ASSERT_TRUE(wait(session));
+  for (int probe = 0; probe < 6; ++probe)
+    for (int top = 0; top < 6; ++top) {
+      Parameters parameters = session.parameters();
+      parameters.scan.probeSide = VolumeSide(probe);
+      session.edit(parameters);
+      EXPECT_NO_THROW(session.beam());
+      EXPECT_EQ(session.parameters().scan.probeSide, VolumeSide(probe));
+      parameters = session.parameters();
+      parameters.scan.topSide = VolumeSide(top);
+      session.edit(parameters);
+      EXPECT_NO_THROW(session.beam());
+      EXPECT_EQ(session.parameters().scan.topSide, VolumeSide(top));
+      EXPECT_NEAR(glm::dot(session.beam().axis, session.beam().up), 0, 1e-9);
+      parameters.scan.probeSide = parameters.scan.topSide = VolumeSide(top);  // as a recipe may have it
+      session.edit(parameters);
+      EXPECT_NO_THROW(session.beam());
+    }
+  fs::remove(file);
+}
+
 TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
   Geometry g;
   g.dims = {48, 48, 48};
