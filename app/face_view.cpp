@@ -43,7 +43,7 @@ Camera cameraOnFace(std::span<const vec3> points, const FaceFit* face, const Bea
 
 bool isTall(std::span<const vec3> points, const FaceFit* face, const Beam& beam) {
   const vec3 forward = forwardOf(face, vec3(beam.axis));
-  const vec3 right = glm::normalize(glm::cross(forward, upOf(face, beam))), up = glm::cross(right, forward);
+  const vec3 right = rightOf(forward, upOf(face, beam)), up = glm::cross(right, forward);
   glm::vec2 low(1e30f), high(-1e30f);
   for (const vec3& p : shownPoints(points, face)) {
     const glm::vec2 at(glm::dot(p, right), glm::dot(p, up));

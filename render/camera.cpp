@@ -119,11 +119,20 @@ void Camera::pan(glm::vec2 pixels, int height) {
   target -= mm.x * right() + mm.y * up;
 }
 
+glm::vec3 rightOf(const glm::vec3& forward, const glm::vec3& up) {
+  constexpr float kParallel = 1e-6f;
+  const glm::vec3 across = glm::cross(forward, up);
+  const float length = glm::length(across);
+  if (length > kParallel * glm::length(up) && std::isfinite(length)) return across / length;
+  const glm::vec3 other = std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
+  return glm::normalize(glm::cross(forward, other));
+}
+
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect) {
   Camera camera;
   camera.target = box.centre();
   camera.forward = glm::normalize(forward);
-  const glm::vec3 right = glm::normalize(glm::cross(camera.forward, up));
+  const glm::vec3 right = rightOf(camera.forward, up);
   camera.up = glm::cross(right, camera.forward);
   // Every corner must lie inside the four side planes: distance >= |offset| / tangent - depth beyond the
   // target.
@@ -143,7 +152,7 @@ Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const 
   constexpr float kMargin = 1.04f;
   Camera camera;
   camera.forward = glm::normalize(forward);
-  const glm::vec3 right = glm::normalize(glm::cross(camera.forward, up));
+  const glm::vec3 right = rightOf(camera.forward, up);
   camera.up = glm::cross(right, camera.forward);
   const float high = std::tan(0.5f * glm::radians(camera.fieldOfView)) / kMargin, wide = aspect * high;
   glm::vec4 most(-1e30f);  // to the right, left, top, bottom

@@ -36,13 +36,17 @@ struct Camera {
   void zoom(float factor) { distance /= factor; }
 };
 
+// rightOf: the unit direction to the right of one who looks along `forward` (unit) with `up` upward; where `up` is parallel
+// to it or nothing, that of some upright picture.
+glm::vec3 rightOf(const glm::vec3& forward, const glm::vec3& up);
+
 // lookAlong: a camera that sees the whole box, looking along `forward`.
-//   up      any vector that is not parallel to forward
+//   up      any vector, see rightOf
 //   aspect  width / height of the picture
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect);
 
 // lookAtAll: the nearest camera that sees all points, with a small margin.
-//   up       any vector that is not parallel to forward
+//   up       any vector, see rightOf
 //   points   world mm; not empty
 //   aspect   width / height of the picture
 Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const glm::vec3> points,

@@ -45,6 +45,19 @@ TEST(Camera, ProbeLooksAlongTheBeamWithItsUpUpward) {
   expectNear(parseCamera("", beam, kBox, 1).forward, {0, 0, 1});
 }
 
+TEST(Camera, IsFiniteWhateverIsUp) {
+  const Box box{{-10, -20, -30}, {10, 20, 30}};
+  const std::vector<glm::vec3> points{{0, 0, 0}, {5, 5, 5}};
+  for (const glm::vec3& forward :
+       {glm::vec3(0, 1, 0), glm::vec3(0, 0, -1), glm::normalize(glm::vec3(1, 2, 3))})
+    for (const glm::vec3& up : {forward, -forward, glm::vec3(0), 1e-20f * forward})
+      for (const Camera& camera : {lookAlong(forward, up, box, 1.5f), lookAtAll(forward, up, points, 1.5f)}) {
+        EXPECT_NEAR(glm::length(camera.up), 1, 1e-5f);
+        EXPECT_NEAR(glm::dot(camera.up, camera.forward), 0, 1e-5f);
+        EXPECT_TRUE(std::isfinite(camera.distance) && camera.distance > 0);
+      }
+}
+
 TEST(Camera, FrontSeesThePatientsLeftOnTheRight) {
   const Camera camera = parseCamera("front", Beam{}, kBox, 1);
   expectNear(camera.right(), {1, 0, 0});
