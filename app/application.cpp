@@ -70,7 +70,12 @@ bool Application::frame() {
     attempt([this] { updateDocument(); });
     draw();
   }
-  return !(window_.closeRequested() || workspace_.quit) || workspace_.session.saving();
+  if (window_.closeRequested()) {
+    window_.keepOpen();  // until the question is answered, where there is one
+    workspace_.carefully("Quitting", [this] { workspace_.quit = true; });
+    window_.requestFrames();
+  }
+  return !workspace_.quit || workspace_.session.saving();
 }
 
 void Application::takeInput() {
@@ -116,6 +121,7 @@ void Application::draw() {
     drawMain();
     ui::drawKeys(workspace_);
     ui::drawAbout(workspace_);
+    ui::drawQuestion(workspace_);
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
                                  viewport.Size.y - 48 * ui::unit());

@@ -87,7 +87,9 @@ void showMesh(W& w, MeshStyle style) {
 
 // Escape ends what is most in the way.
 void stop(W& w) {
-  if (w.view.skin.placing) {
+  if (w.question) {
+    w.question.reset();
+  } else if (w.view.skin.placing) {
     w.view.skin.placing.reset();
   } else if (w.view.erasing && !w.session.activity().blocking) {
     w.view.erasing = false;
@@ -108,7 +110,7 @@ constexpr Shortcut controlShift(int k) { return {k, true, true}; }
 const Command kCommands[] = {
   {"file.open", "Open volume...", Menu::file, control(GLFW_KEY_O),
    [](W& w) { w.files.ask(ui::FilePurpose::openVolume, w.settings.folder, ""); }},
-  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.session.openPhantom(); }},
+  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.carefully("Opening the phantom", [&w] { w.session.openPhantom(); }); }},
   {"file.openRecipe", "Open recipe...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::openRecipe, w.settings.folder, ""); }, nullptr, nullptr, true},
   {"file.saveRecipe", "Save recipe...", Menu::file, {},
@@ -127,7 +129,7 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::openErased, w.settings.folder, ""); }, hasScan, nullptr, true},
   {"file.saveErased", "Save erased parts...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::saveErased, w.settings.folder, w.session.proposedName(".erased.nrrd")); }, hasErased},
-  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.quit = true; }, nullptr, nullptr, true},
+  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.carefully("Quitting", [&w] { w.quit = true; }); }, nullptr, nullptr, true},
 
   {"edit.undo", "Undo", Menu::edit, control(GLFW_KEY_Z), [](W& w) { w.session.undo(); },
    [](const W& w) { return w.session.canUndo(); }},
@@ -174,7 +176,7 @@ const Command kCommands[] = {
    [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
    [](const W& w) { return w.session.followsParameters(); }},
   {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
-   [](const W& w) { return busy(w) || w.view.erasing || w.view.parts || w.view.maximised || w.view.skin.placing; }},
+   [](const W& w) { return w.question || busy(w) || w.view.erasing || w.view.parts || w.view.maximised || w.view.skin.placing; }},
   {"surface.parts", "Parts in colours", Menu::surface, key(GLFW_KEY_P), toggleParts, canShowParts,
    [](const W& w) { return w.view.parts; }, true},
   {"surface.faceAlone", "The face alone", Menu::surface, {}, leaveFaceAlone, canShowParts},

@@ -143,6 +143,7 @@ void DesktopWindow::endFrame() {
 
 bool DesktopWindow::closeRequested() const { return glfwWindowShouldClose(window_); }
 void DesktopWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void DesktopWindow::keepOpen() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
 void DesktopWindow::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 std::vector<std::filesystem::path> DesktopWindow::takeDroppedFiles() { return std::exchange(dropped_, {}); }

@@ -97,7 +97,9 @@ class Session {
   void saveSkin(const std::filesystem::path& path, TexturedMesh surface);
   void savePicture(const std::filesystem::path& path, Image image);
   void saveRecipe(const std::filesystem::path& path);
-  // proposedName: the scan's name with another ending.
+  // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
+  bool hasUnsavedWork() const;
+  // proposedName: a neutral name with an ending; the scan's own may be a patient's.
   std::string proposedName(const std::string& ending) const;
 
   // poll: takes in what the background has made; true when anything of the above has changed. Once a frame.
@@ -118,8 +120,11 @@ class Session {
   };
   void adopt(Opened opened);
   void open(const std::string& label, Opened opened, std::function<Scan(const Progress&)> make);
-  void save(const std::filesystem::path& path, std::function<void(const Progress&)> write);
-  void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write);
+  void save(const std::filesystem::path& path, std::function<void(const Progress&)> write,
+            std::function<void()> saved = {});
+  // saved: called on this thread when all is written
+  void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write,
+                 std::function<void()> saved = {});
   void show(const Parameters& parameters);
   void showVersion();
   Key currentMeshKey() const;
@@ -143,7 +148,8 @@ class Session {
   ErasedParts erased_;
   History<Version> history_;
   Results results_;
-  Key meshKey_;  // scan and parameters of results_.mesh
+  Key meshKey_;                  // scan and parameters of results_.mesh
+  Key savedMesh_, savedErased_;  // of what was saved last
   bool meshIsFinal_ = false, follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   Key requestKey_;

@@ -74,9 +74,12 @@ void Session::loadErased(const fs::path& path) {
 
 void Session::saveErased(const fs::path& path) {
   require(erased_.voxels() > 0, "nothing is erased, so there is nothing to save");
-  saveAlone(path, [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
-    writeVolume(path, *mask, beam, progress);
-  });
+  saveAlone(
+      path,
+      [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
+        writeVolume(path, *mask, beam, progress);
+      },
+      [this, key = erased_.key()] { savedErased_ = key; });
 }
 
 // ---- saving
@@ -93,22 +96,36 @@ bool isRecipe(const fs::path& file) try {
 
 }  // namespace
 
-void Session::saveAlone(const fs::path& path, std::function<void(const Progress&)> write) {
-  saver_.append({"Saving " + path.filename().string(), std::move(write),
-                 [this, path] { report(Message::Kind::note, "Saved " + path.string()); }});
+void Session::saveAlone(const fs::path& path, std::function<void(const Progress&)> write,
+                        std::function<void()> saved) {
+  saver_.append(
+      {"Saving " + path.filename().string(), std::move(write), [this, path, saved = std::move(saved)] {
+         if (saved) saved();
+         report(Message::Kind::note, "Saved " + path.string());
+       }});
 }
 
-void Session::save(const fs::path& path, std::function<void(const Progress&)> write) {
+bool Session::hasUnsavedWork() const {
+  const bool hasSurface = results_.mesh && reconstructions_ > 0;
+  return (hasSurface && !(meshKey_ == savedMesh_)) ||
+         (erased_.voxels() > 0 && !(erased_.key() == savedErased_));
+}
+
+void Session::save(const fs::path& path, std::function<void(const Progress&)> write,
+                   std::function<void()> saved) {
   const std::string recipe = writeRecipe(parameters_, scan_.key);
-  saveAlone(path, [path, recipe, write = std::move(write)](const Progress& progress) {
-    write(progress);
-    const fs::path beside = fs::path(path).replace_extension(".recipe.json");
-    if (std::error_code code; fs::exists(beside, code) && !isRecipe(beside))
-      throw Error(fmt::format("{} is saved, but its recipe is not: {} is something else.",
-                              path.filename().string(), beside.filename().string()),
-                  Error::Kind::system);
-    writeBytes(beside, recipe.data(), recipe.size());
-  });
+  saveAlone(
+      path,
+      [path, recipe, write = std::move(write)](const Progress& progress) {
+        write(progress);
+        const fs::path beside = fs::path(path).replace_extension(".recipe.json");
+        if (std::error_code code; fs::exists(beside, code) && !isRecipe(beside))
+          throw Error(fmt::format("{} is saved, but its recipe is not: {} is something else.",
+                                  path.filename().string(), beside.filename().string()),
+                      Error::Kind::system);
+        writeBytes(beside, recipe.data(), recipe.size());
+      },
+      std::move(saved));
 }
 
 // A volume's own name may be a patient's.
@@ -116,7 +133,9 @@ std::string Session::proposedName(const std::string& ending) const { return "sur
 
 void Session::saveMesh(const fs::path& path) {
   require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
-  save(path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); });
+  save(
+      path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
+      [this, key = meshKey_] { savedMesh_ = key; });
 }
 
 void Session::savePrint(const fs::path& path) {

@@ -4,6 +4,20 @@
 
 namespace sonoskin {
 
+void Workspace::carefully(const std::string& what, std::function<void()> action) {
+  if (session.hasUnsavedWork())
+    question = {what, std::move(action)};
+  else
+    action();
+}
+
+void Workspace::open(const std::filesystem::path& file) {
+  carefully("Opening another scan", [this, file] {
+    settings.noteOpened(file);
+    session.openFile(file);
+  });
+}
+
 void Workspace::lookAtStart() {
   const Results& results = session.results();
   const Beam beam = session.beam();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 
 #include "app/session.h"
@@ -16,11 +18,15 @@ namespace sonoskin {
 struct Workspace {
   explicit Workspace(const Parameters& parameters) : session(parameters) {}
 
+  // Question: what a person is asked before it is done, for it would lose unsaved work.
+  struct Question {
+    std::string what;  // "Opening another scan"
+    std::function<void()> action;
+  };
+  // carefully: does something that ends the document, after a question where work would be lost.
+  void carefully(const std::string& what, std::function<void()> action);
   // open: a volume file, remembered as a recent one.
-  void open(const std::filesystem::path& file) {
-    settings.noteOpened(file);
-    session.openFile(file);
-  }
+  void open(const std::filesystem::path& file);
 
   // lookAtStart: at the face where it is known, else from the probe.
   void lookAtStart();
@@ -30,6 +36,7 @@ struct Workspace {
   Settings settings;
   ui::FileDialog files;
   ui::Toasts toasts;
+  std::optional<Question> question;
   bool keysShown = false, aboutShown = false;
   glm::dvec3 typedSpacing{1};  // mm; for files that give none
   std::string glInfo;          // the driver's words

@@ -28,5 +28,6 @@ void drawStatusBar(const Workspace& workspace);
 // Windows of their own.
 void drawKeys(Workspace& workspace);
 void drawAbout(Workspace& workspace);
+void drawQuestion(Workspace& workspace);  // before unsaved work is lost
 
 }  // namespace sonoskin::ui

@@ -105,6 +105,15 @@ std::pair<double, double> naturalRange(const std::pair<double, double>& values) 
   return values;
 }
 
+// Padding that lies just below the rest is what black was recorded as.
+double darkest(const std::pair<double, double>& range, const std::optional<Padding>& padding) {
+  constexpr double kJustBelow = 0.05;  // of the range
+  const double below = padding ? range.first - double(padding->least) : -1;
+  return below > 0 && below < kJustBelow * (range.second - range.first) && range.first != 0
+             ? double(padding->least)
+             : range.first;
+}
+
 std::pair<double, double> unitRange(const StoredVolume& stored, const NormalisedVolume& n,
                                     const std::optional<Padding>& padding) {
   std::pair<double, double> range;
@@ -115,6 +124,7 @@ std::pair<double, double> unitRange(const StoredVolume& stored, const Normalised
     range = {least, least + 255};
   } else {
     range = naturalRange(percentiles(n.volume.data, padding));
+    range.first = darkest(range, padding);
     if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};
   }
   return range;

@@ -82,6 +82,51 @@ TEST(Session, HasBeamsForEveryChoiceOfSides) {
   fs::remove(file);
 }
 
+TEST(Session, KnowsWhatWouldBeLost) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  EXPECT_FALSE(session.hasUnsavedWork());
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.hasUnsavedWork());
+  const fs::path file = fs::temp_directory_path() / "sonoskin_session_unsaved.ply";
+  session.saveMesh(file);
+  ASSERT_TRUE(wait(session));
+  EXPECT_FALSE(session.hasUnsavedWork());
+  session.erase({});
+  session.commitEdit();
+  ASSERT_TRUE(wait(session));
+  const bool erased = session.erased().voxels() > 0;
+  EXPECT_TRUE(session.hasUnsavedWork() || !erased);
+  fs::remove(file);
+  fs::remove(fs::path(file).replace_extension(".recipe.json"));
+}
+
+// A file of somebody else's that has the recipe's name is left alone, and said so.
+TEST(Session, LeavesForeignFilesBesideAnExportAlone) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  const fs::path folder = fs::temp_directory_path() / "sonoskin_session_foreign";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::ofstream(folder / "face.recipe.json") << "{\"cake\": \"flour\"}";
+  session.takeMessages();
+  session.saveMesh(folder / "face.ply");
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(fs::exists(folder / "face.ply"));
+  std::ifstream kept(folder / "face.recipe.json");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "{\"cake\": \"flour\"}");
+  const auto messages = session.takeMessages();
+  EXPECT_TRUE(std::ranges::any_of(messages, [](const Message& m) {
+    return m.kind == Message::Kind::failure && m.text.find("something else") != std::string::npos;
+  }));
+  fs::remove_all(folder);
+}
+
 TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
   Geometry g;
   g.dims = {48, 48, 48};

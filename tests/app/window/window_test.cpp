@@ -105,6 +105,35 @@ TEST_F(WindowTest, CancelAndErrors) {
   EXPECT_EQ(d.session().scan().key, scan);
 }
 
+// Nothing unsaved goes without a question, which is asked once.
+TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  d.session().reconstruct();
+  ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
+  const Key scan = d.session().scan().key;
+  d.press("ctrl+q");
+  d.frames(3);
+  EXPECT_TRUE(d.workspace().question);
+  EXPECT_FALSE(d.workspace().quit);
+  d.screenshot("sonoskin_question");
+  d.press("Escape");
+  d.frames(3);
+  EXPECT_FALSE(d.workspace().question || d.workspace().quit);
+  d.workspace().open("/nowhere/face.nrrd");
+  d.frames(3);
+  EXPECT_TRUE(d.workspace().question);
+  d.click("question.back");
+  d.frames(3);
+  EXPECT_FALSE(d.workspace().question);
+  EXPECT_EQ(d.session().scan().key, scan);
+  d.press("ctrl+q");
+  d.frames(3);
+  d.click("question.discard");
+  d.frames(1);
+  EXPECT_TRUE(d.workspace().quit);
+}
+
 TEST_F(WindowTest, SavesMeshFromTheDialog) {
   Driver& d = *driver;
   ASSERT_TRUE(d.waitUntilIdle());
