@@ -16,8 +16,8 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
   const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
   Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
                                             : readScan(files.volume, volume);
-  if (!files.mask.empty()) setMask(scan, readScan(files.mask, progress.part(0.8, 0.9)));
-  if (!files.erased.empty()) setErased(scan, readScan(files.erased, progress.part(0.9, 1)));
+  if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
+  if (!files.erased.empty()) setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
   return scan;
 }
 

@@ -64,7 +64,7 @@ void Session::loadErased(const fs::path& path) {
   require(hasScan(), "open the volume first, then what was erased of it");
   const auto read = std::make_shared<Scan>(scan_);
   opener_.replace({"Opening " + path.filename().string(),
-                   [read, path](const Progress& progress) { setErased(*read, readScan(path, progress)); },
+                   [read, path](const Progress& progress) { setErased(*read, readMarks(path, progress)); },
                    [this, read] {
                      erased_.become(*read->erased);
                      show(parameters_);

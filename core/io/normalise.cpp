@@ -141,11 +141,11 @@ std::pair<double, double> withWidth(const std::pair<double, double>& range) {
 }  // namespace
 
 NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,
-                           const Progress& progress) {
+                           const Progress& progress, bool outside) {
   NormalisedVolume n;
   n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
   std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
-  const std::optional<Padding> padding = findPadding(n.volume);
+  const std::optional<Padding> padding = outside ? findPadding(n.volume) : std::nullopt;
   std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n, padding));
   const std::size_t slice = n.volume.data.size() / std::size_t(stored.geometry.dims.z);
   const double width = n.originalMax - n.originalMin;

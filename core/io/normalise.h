@@ -27,7 +27,8 @@ struct NormalisedVolume {
 //           side by side the first is taken.
 //   cost    O(voxels); percentiles from at most 4 million voxels, evenly chosen
 //   errors  Cancelled
+//   outside     whether padding is looked for; marks have none
 NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,
-                           const Progress& progress = {});
+                           const Progress& progress = {}, bool outside = true);
 
 }  // namespace sonoskin

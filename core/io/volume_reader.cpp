@@ -24,9 +24,11 @@ int timeStepsOf(const StoredVolume& stored) {
 
 }  // namespace
 
-Scan readScan(const fs::path& path, const Progress& progress) {
+namespace {
+
+Scan read(const fs::path& path, const Progress& progress, bool outside) {
   const LoadedVolume loaded = load(path, progress.part(0, 0.6));
-  NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1));
+  NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1), outside);
   Scan scan;
   scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));
   scan.originalMin = normalised.originalMin;
@@ -41,6 +43,11 @@ Scan readScan(const fs::path& path, const Progress& progress) {
         fmt::format("{} has {} time steps; the first is used.", path.filename().string(), steps));
   return scan;
 }
+
+}  // namespace
+
+Scan readScan(const fs::path& path, const Progress& progress) { return read(path, progress, true); }
+Scan readMarks(const fs::path& path, const Progress& progress) { return read(path, progress, false); }
 
 VolumeInfo readVolumeInfo(const fs::path& path, const Progress& progress) {
   const LoadedVolume loaded = load(path, progress.part(0, 0.6));

@@ -20,6 +20,9 @@ namespace sonoskin {
 // it. Nothing that could name a patient is kept.
 Scan readScan(const std::filesystem::path& path, const Progress& progress = {});
 
+// readMarks: the same of a volume that marks voxels, a mask or erased parts, whose sides may all be marked.
+Scan readMarks(const std::filesystem::path& path, const Progress& progress = {});
+
 // VolumeInfo: what is in a volume file, for people. Holds nothing that could name a patient.
 struct VolumeInfo {
   std::string format;        // "NRRD", "MetaImage", "NIfTI", "VTK", "DICOM series"

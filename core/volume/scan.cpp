@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "core/base/error.h"
@@ -60,16 +61,49 @@ ScanOptions sidesApart(ScanOptions edited, const ScanOptions& before) {
 
 namespace {
 
-// Where a volume that was read from a file was not zero there; `name` is what a person calls it.
-Volume<std::uint8_t> notZeroInFile(const Scan& file, const Geometry& geometry, const char* name) {
-  const glm::ivec3 a = file.volume->geometry.dims, b = geometry.dims;
-  require(a == b, "the {} has {} x {} x {} voxels, but the volume {} x {} x {}: they must be the same", name,
-          a.x, a.y, a.z, b.x, b.y, b.z);
-  const double zero =
-      -file.originalMin / (file.originalMax - file.originalMin);  // what 0 became when it was read
+// The voxel of another grid that a place in the world lies in; nothing outside.
+std::optional<std::size_t> voxelAt(const Geometry& grid, const glm::dvec3& world) {
+  const glm::ivec3 v(glm::floor(grid.toIndex(world) + 0.5));
+  const bool inside =
+      glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, grid.dims));
+  return inside ? std::optional(grid.index(v.x, v.y, v.z)) : std::nullopt;
+}
+
+// Whether voxels with the same index are the same: one grid, or a file that does not tell where it lies.
+bool isSameGrid(const Scan& file, const Geometry& geometry) {
+  constexpr double kSame = 1e-3;  // voxels
+  const Geometry& g = file.volume->geometry;
+  if (g.dims != geometry.dims) return false;
+  if (!file.spacingKnown) return true;
+  const glm::dvec3 last(g.dims - 1);
+  const auto differs = [&](const glm::dvec3& at) {
+    return glm::distance(geometry.toIndex(g.toWorld(at)), at) > kSame * (1 + glm::length(last));
+  };
+  return !differs({0, 0, 0}) && !differs(last) && !differs({last.x, 0, 0}) && !differs({0, last.y, 0});
+}
+
+// Where a volume that was read from a file was not zero there, on the scan's own grid; `name` is what a person calls it.
+//   leastCovered  share of the scan's voxels that it must reach
+Volume<std::uint8_t> notZeroInFile(const Scan& file, const Geometry& geometry, const char* name,
+                                   double leastCovered) {
+  const double zero = std::clamp(-file.originalMin / (file.originalMax - file.originalMin), 0.0,
+                                 1.0);  // what 0 became when it was read
+  const bool same = isSameGrid(file, geometry);
   Volume<std::uint8_t> marked(geometry);
-  for (std::size_t v = 0; v < marked.data.size(); ++v)
-    marked.data[v] = std::abs(double(file.volume->data[v]) - std::clamp(zero, 0.0, 1.0)) > 1e-6;
+  std::size_t covered = 0;
+  for (int k = 0; k < geometry.dims.z; ++k)
+    for (int j = 0; j < geometry.dims.y; ++j)
+      for (int i = 0; i < geometry.dims.x; ++i) {
+        const auto there = same ? std::optional(geometry.index(i, j, k))
+                                : voxelAt(file.volume->geometry, geometry.toWorld(glm::dvec3(i, j, k)));
+        if (!there) continue;
+        ++covered;
+        marked.at(i, j, k) = std::abs(double(file.volume->data[*there]) - zero) > 1e-6;
+      }
+  require(
+      double(covered) > leastCovered * double(geometry.voxels()),
+      "the {} does not lie where the volume is: both must be of the same scan, and say so in their headers",
+      name);
   return marked;
 }
 
@@ -80,15 +114,16 @@ bool isZero(const Volume<std::uint8_t>& volume) {
 }  // namespace
 
 void setMask(Scan& scan, const Scan& mask) {
-  auto inside = std::make_shared<Volume<std::uint8_t>>(notZeroInFile(mask, scan.volume->geometry, "mask"));
+  auto inside =
+      std::make_shared<Volume<std::uint8_t>>(notZeroInFile(mask, scan.volume->geometry, "mask", 0.5));
   require(!isZero(*inside), "the mask is zero everywhere: it must not be zero where something was scanned");
   scan.key = Hasher("masked").add(scan.key).add(std::span<const std::uint8_t>(inside->data)).key();
   scan.mask = std::move(inside);
 }
 
 void setErased(Scan& scan, const Scan& erased) {
-  auto marked =
-      std::make_shared<Volume<std::uint8_t>>(notZeroInFile(erased, scan.volume->geometry, "erased volume"));
+  auto marked = std::make_shared<Volume<std::uint8_t>>(
+      notZeroInFile(erased, scan.volume->geometry, "erased volume", 0));
   require(!isZero(*marked), "the erased volume is zero everywhere: it must not be zero where nothing counts");
   scan.erasedKey = Hasher("erased").add(std::span<const std::uint8_t>(marked->data)).key();
   scan.erased = std::move(marked);

@@ -62,12 +62,13 @@ Beam beamOf(const Scan& scan, const ScanOptions& options);
 // put both on one axis, the side that was not edited takes the place that the other one left.
 ScanOptions sidesApart(ScanOptions edited, const ScanOptions& before);
 
-// setMask: takes another volume as the mask of what was scanned: where it is not zero in its file.
-//   errors  Error: it has other dimensions, or is zero everywhere
+// setMask: takes another volume as the mask of what was scanned: where it is not zero in its file. A mask on another grid,
+// such as one with an axis turned over, is looked up where the voxels lie in the world.
+//   errors  Error: it lies elsewhere, covers less than half of the volume, or is zero everywhere
 void setMask(Scan& scan, const Scan& mask);
 
 // setErased: takes another volume as what was erased by hand: where it is not zero in its file.
-//   errors  Error: it has other dimensions, or is zero everywhere
+//   errors  Error: it lies elsewhere, or is zero everywhere
 void setErased(Scan& scan, const Scan& erased);
 
 // scanKey: the fingerprint of geometry, voxels and beam.

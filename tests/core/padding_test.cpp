@@ -69,5 +69,18 @@ TEST(Normalise, ConstantVolumesOfAnySizeAreFinite) {
     for (const float v : normalised(Volume<float>(test::grid({4, 4, 4}), value)).volume.data) ASSERT_EQ(v, 0);
 }
 
+// A mask may mark all of a volume's sides; that is no padding.
+TEST(Padding, IsNotLookedForInMarks) {
+  Volume<float> mask(test::grid({10, 10, 10}), 1);
+  mask.at(5, 5, 5) = 0;
+  StoredVolume stored;
+  stored.geometry = mask.geometry;
+  stored.type = NumberType::float32;
+  std::vector<std::uint8_t> numbers(mask.data.size() * sizeof(float));
+  std::memcpy(numbers.data(), mask.data.data(), numbers.size());
+  EXPECT_EQ(normalise(stored, numbers, {}, false).volume.at(0, 0, 0), 1);
+  EXPECT_EQ(normalise(stored, numbers, {}, false).volume.at(5, 5, 5), 0);
+}
+
 }  // namespace
 }  // namespace sonoskin
