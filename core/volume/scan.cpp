@@ -89,6 +89,10 @@ Volume<std::uint8_t> notZeroInFile(const Scan& file, const Geometry& geometry, c
   const double zero = std::clamp(-file.originalMin / (file.originalMax - file.originalMin), 0.0,
                                  1.0);  // what 0 became when it was read
   const bool same = isSameGrid(file, geometry);
+  const glm::ivec3 a = file.volume->geometry.dims, b = geometry.dims;
+  require(same || file.spacingKnown,
+          "the {} has {} x {} x {} voxels, but the volume {} x {} x {}, and does not say where it lies", name,
+          a.x, a.y, a.z, b.x, b.y, b.z);
   Volume<std::uint8_t> marked(geometry);
   std::size_t covered = 0;
   for (int k = 0; k < geometry.dims.z; ++k)

@@ -131,8 +131,7 @@ TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
 // were moved.
 TEST(RunCommand, AMaskTellsWhatWasScanned) {
   const TempFolder folder;
-  std::string mask =
-      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nspacings: 1 1 1\nencoding: raw\n\n";
+  std::string mask = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nencoding: raw\n\n";
   for (int row = 0; row < 64 * 31; ++row) mask += std::string(58, '\x01') + std::string(59, '\0');
   const std::string file = folder.write("mask.nrrd", mask).string();
   const ProgramResult result = sonoskin(withSmall(
@@ -155,8 +154,7 @@ TEST(RunCommand, AMaskTellsWhatWasScanned) {
 // What is erased, and what is cut away, is not there; the recipe brings the cut back.
 TEST(RunCommand, ErasedAndCutPartsHaveNoSurface) {
   const TempFolder folder;
-  const std::string header =
-      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nspacings: 1 1 1\nencoding: raw\n\n";
+  const std::string header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 117 64 31\nencoding: raw\n\n";
   std::string erased = header;
   for (int row = 0; row < 64 * 31; ++row) erased += std::string(50, '\x07') + std::string(67, '\0');
   const std::string file = folder.write("erased.nrrd", erased).string();
