@@ -62,7 +62,8 @@ double Application::waitSeconds() const {
 bool Application::frame() {
   const bool busy = workspace_.session.activity().busy;
   const bool event = window_.waitForFrame(waitSeconds());
-  const bool arrived = workspace_.session.poll();
+  bool arrived = false;
+  attempt([&] { arrived = workspace_.session.poll(); });
   if (arrived) window_.requestFrames();
   const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
   if (event || arrived || due) {

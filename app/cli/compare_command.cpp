@@ -7,6 +7,7 @@
 #include "app/input.h"
 #include "core/io/mesh_reader.h"
 #include "core/mesh/mesh_distance.h"
+#include "core/mesh/mesh_doubts.h"
 
 namespace sonoskin {
 namespace {
@@ -62,6 +63,7 @@ void compare(const CompareOptions& options, Console& console) {
   console.beginStage("reading");
   const Mesh a = readMesh(options.a, console.progress().part(0, 0.1));
   const Mesh b = readMesh(options.b, console.progress().part(0.1, 0.2));
+  console.warn(pairDoubts(a, b));
   console.beginStage("distances");
   const MeshDistances distances = measureDistances(a, b, console.progress().part(0.2, 1));
   console.print(comparisonJson(options, console, distances), comparisonText(distances));

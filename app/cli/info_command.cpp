@@ -8,6 +8,7 @@
 #include "app/mesh_text.h"
 #include "core/io/mesh_reader.h"
 #include "core/io/volume_reader.h"
+#include "core/mesh/mesh_doubts.h"
 
 namespace sonoskin {
 namespace {
@@ -64,6 +65,7 @@ void printMesh(const std::string& file, Console& console) {
   console.beginStage("reading");
   const Mesh mesh = readMesh(file, console.progress().part(0, 0.3));
   console.beginStage("checking");
+  console.warn(meshDoubts(mesh));
   const MeshFacts facts = measureMesh(mesh, console.progress().part(0.3, 1));
   nlohmann::ordered_json json;
   if (const std::string name = console.nameOf(file); !name.empty()) json["file"] = name;

@@ -16,6 +16,7 @@
 #include "core/base/timer.h"
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
+#include "core/mesh/mesh_doubts.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/pipeline.h"
 #include "render/pictures.h"
@@ -31,6 +32,8 @@ struct RenderOptions {
   std::string view = "skin", mode = "dvr";
   double level = 0;
   bool whole = false;
+  float scale = 1;  // of a mesh
+  bool flip = false;
   PictureOptions picture;
   gl::Backend backend = gl::Backend::egl;
   ParameterOptions parameters;
@@ -67,8 +70,11 @@ Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& c
         Error::Kind::usage);
   }
   console.beginStage("reading");
-  const auto mesh =
-      std::make_shared<const Mesh>(readMesh(o.files.volume, console.progress().part(0, kComputed)));
+  Mesh read = readMesh(o.files.volume, console.progress().part(0, kComputed));
+  if (o.scale != 1) scaleMesh(read, o.scale);
+  if (o.flip) flipMesh(read);
+  console.warn(meshDoubts(read));
+  const auto mesh = std::make_shared<const Mesh>(std::move(read));
   // A mesh file does not tell where the probe was: the options do, for the axes of the world.
   Scan axes;
   axes.volume = std::make_shared<const Volume<float>>();
@@ -163,6 +169,12 @@ Command addRenderCommand(CLI::App& program, Console& console) {
   command->add_flag(
       "--whole", options->whole,
       "for volume: the whole region; by default only the box around the surface that was found");
+  command
+      ->add_option("--scale", options->scale,
+                   "for a mesh in another unit than mm: 1000 for metres [default 1]")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1e-6, 1e6).description(""));
+  command->add_flag("--flip", options->flip, "for a mesh that is inside out");
   command->add_flag_callback(
       "--mark-unmeasured", [options] { options->picture.unseenShade = 1; },
       "for skin and mesh: grey what was not measured: closed holes, and the border, where points grow "

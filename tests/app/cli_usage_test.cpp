@@ -7,8 +7,11 @@
 
 #include "app/parameter_text.h"
 #include "core/base/version.h"
+#include "core/io/mesh_writer.h"
+#include "core/mesh/mesh_doubts.h"
 #include "core/pipeline/presets.h"
 #include "tests/app/cli_support.h"
+#include "tests/support/solids.h"
 
 namespace sonoskin::test {
 namespace {
@@ -136,6 +139,26 @@ TEST(CommandLine, BadRecipesGiveThree) {
     expectOneLine(sonoskin({"recipe", "--recipe", path}), 3);
   }
   expectOneLine(sonoskin({"recipe", "--recipe", path + ".missing"}), 3);
+}
+
+// A mesh in metres that is inside out: said, and mended.
+TEST(CommandLine, MeshesInOtherUnitsAreToldAndMended) {
+  const TempFolder folder;
+  Mesh mesh = solid([](const glm::dvec3& x) { return ball(x, {0, 0, 0}, 40); }, {48, 48, 48}, 6);
+  flipMesh(mesh);
+  scaleMesh(mesh, 0.001f);
+  writeMesh(folder / "m.ply", mesh);
+  const std::string file = (folder / "m.ply").string(), out = (folder / "o.png").string();
+  const std::vector<std::string> words{"render", file, "--out", out, "--view", "mesh", "--size", "64x64"};
+  const ProgramResult told = sonoskin(words);
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("--scale"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("--flip"), std::string::npos) << told.err;
+  std::vector<std::string> mended = words;
+  mended.insert(mended.end(), {"--scale", "1000", "--flip"});
+  const ProgramResult result = sonoskin(mended);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
 }
 
 TEST(CommandLine, ExplainsEveryField) {

@@ -1,0 +1,65 @@
+#include "core/mesh/mesh_doubts.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace sonoskin {
+namespace {
+
+constexpr float kSmallest = 20, kLargest = 1000;  // mm
+constexpr double kInward = -0.01;                 // of the cube of the diagonal: flat surfaces are not told
+constexpr float kOtherUnit = 5;
+
+// Of the cones from the middle of the box to the triangles; > 0 where they look away from it.
+double volumeAround(const Mesh& mesh, const glm::vec3& middle) {
+  double sum = 0;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const glm::dvec3 a(mesh.positions[i] - middle), b(mesh.positions[j] - middle),
+        c(mesh.positions[k] - middle);
+    sum += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<std::string> meshDoubts(const Mesh& mesh) {
+  std::vector<std::string> doubts;
+  const Box box = boundingBox(mesh.positions);
+  const float size = box.diagonal();
+  if (size < kSmallest || size > kLargest)
+    doubts.push_back(
+        fmt::format("the surface is {:.3g} mm across, which no face is: if its file is in another unit, give "
+                    "--scale, such as "
+                    "1000 for metres",
+                    double(size)));
+  if (volumeAround(mesh, box.centre()) < kInward * double(size) * double(size) * double(size))
+    doubts.push_back("the surface looks inward: if it is dark, its triangles are turned over; give --flip");
+  return doubts;
+}
+
+std::vector<std::string> pairDoubts(const Mesh& a, const Mesh& b) {
+  std::vector<std::string> doubts;
+  const Box first = boundingBox(a.positions), second = boundingBox(b.positions);
+  const float ratio = first.diagonal() / second.diagonal();
+  if (ratio > kOtherUnit || ratio < 1 / kOtherUnit)
+    doubts.push_back(
+        fmt::format("one surface is {:.3g} times as large as the other: they may have different units",
+                    double(ratio > 1 ? ratio : 1 / ratio)));
+  if (!overlap(first, second))
+    doubts.push_back("the surfaces lie apart: they may not share a frame, such as RAS and LPS");
+  return doubts;
+}
+
+void scaleMesh(Mesh& mesh, float factor) {
+  for (glm::vec3& p : mesh.positions) p *= factor;
+}
+
+void flipMesh(Mesh& mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (auto& uvs : mesh.cornerUvs) std::swap(uvs[1], uvs[2]);
+  for (glm::vec3& n : mesh.normals) n = -n;
+}
+
+}  // namespace sonoskin
