@@ -185,8 +185,9 @@ void finishInterrupted(const fs::path& folder) {
 }
 
 Staging::Staging(const fs::path& folder) : folder_(fs::absolute(folder.empty() ? fs::path(".") : folder)) {
+  // Inside another staging folder, which its maker has locked, there is nobody else's to look for.
   const Folder outer(folder_);
-  if (outer.lock()) finishInterrupted(folder_);
+  if (!isOwnName(folder_) && outer.lock()) finishInterrupted(folder_);
   path_ = folder_ / randomName();
   if (::mkdir(path_.c_str(), 0700) != 0)
     failOnDisk("The folder {} cannot be written: {}.", folder.string(), std::strerror(errno));
