@@ -91,18 +91,29 @@ void limitTo(const Limits& limits) {
 #endif
 }
 
-// Only what lies in the folder can be read, and nothing written. Kernels without Landlock leave it open.
+// Adds a file, or a folder with all in it, to what may be read; false where that fails.
+bool allow(int ruleset, const fs::path& path, std::uint64_t access) {
+  const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  landlock_path_beneath_attr beneath{};
+  beneath.allowed_access = access;
+  beneath.parent_fd = opened.number();
+  return opened.number() >= 0 &&
+         ::syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &beneath, 0) == 0;
+}
+
+// Only what lies in the folder can be read, and what links there lead to, and nothing written. Kernels without Landlock
+// leave it open.
 void seeOnly(const fs::path& folder) {
   landlock_ruleset_attr rules{};
   rules.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // all of the first version
   const Descriptor ruleset(int(::syscall(SYS_landlock_create_ruleset, &rules, sizeof rules, 0)));
-  const Descriptor opened(::open(folder.c_str(), O_PATH | O_CLOEXEC));
-  if (ruleset.number() < 0 || opened.number() < 0) return;
-  landlock_path_beneath_attr beneath{};
-  beneath.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-  beneath.parent_fd = opened.number();
-  if (::syscall(SYS_landlock_add_rule, ruleset.number(), LANDLOCK_RULE_PATH_BENEATH, &beneath, 0) != 0)
-    return;
+  if (ruleset.number() < 0) return;
+  constexpr std::uint64_t kFile = LANDLOCK_ACCESS_FS_READ_FILE;
+  if (!allow(ruleset.number(), folder, kFile | LANDLOCK_ACCESS_FS_READ_DIR)) return;
+  std::error_code code, ignored;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
+    if (entry->is_symlink(ignored) && entry->is_regular_file(ignored))
+      allow(ruleset.number(), fs::canonical(entry->path(), ignored), kFile);
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)
     ::syscall(SYS_landlock_restrict_self, ruleset.number(), 0);
 }

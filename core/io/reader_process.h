@@ -38,7 +38,7 @@ bool readersRun();
 //   memory  for a file of its size: 256 MB, and 1100 times the size at most (what zlib can unpack), of half of the
 //           machine's
 //   time    10 s, and half a second for every megabyte
-//   files   read-only, those in the folder of what is read, where the kernel has Landlock (Linux 5.13); no new ones
+//   files   read-only, those in the folder of what is read and those that links there lead to, where the kernel has Landlock (Linux 5.13); no new ones
 //   errors  Error: that of the reader; or the process ended, took too long or too much memory; not an ordinary file.
 //           Cancelled: the process is killed
 //   threads any, several at once

@@ -77,6 +77,27 @@ TEST_F(Readers, GiveTheSameMesh) {
   }
 }
 
+// Links are how many archives keep their files.
+TEST_F(Readers, FollowLinks) {
+  fs::create_directory(folder / "links");
+  fs::create_symlink(volume("scan.nrrd"), folder / "links/other.nrrd");
+  fs::create_directory_symlink(folder / "links", folder / "way");
+  EXPECT_EQ(readScan(folder / "links/other.nrrd").key, readScan(folder / "scan.nrrd").key);
+  EXPECT_EQ(readScan(folder / "way/other.nrrd").key, readScan(folder / "scan.nrrd").key);
+}
+
+// A header that names a file elsewhere gets none of it.
+TEST_F(Readers, SeeTheirFolderAlone) {
+  const TempFolder elsewhere;
+  elsewhere.write("secret.raw", std::string(8, 's'));
+  for (const std::string& name : {(elsewhere / "secret.raw").string(), std::string("../secret.raw")}) {
+    const fs::path header = folder.write(
+        "a.nhdr",
+        "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: " + name + "\n");
+    EXPECT_THROW(readApart(ReaderTask::volume, header), Error);
+  }
+}
+
 TEST_F(Readers, PassErrorsOn) {
   expectError([&] { readScan(folder / "missing.nrrd"); }, "There is no file");
   expectError([&] { readScan(folder.write("a.xyz", "x")); }, "is not known");
