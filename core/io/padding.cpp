@@ -8,7 +8,7 @@ namespace sonoskin {
 namespace {
 
 constexpr double kMostSides = 0.5;     // share of the sides' voxels that padding has at least
-constexpr float kNearlyAlike = 0.02f;  // of the range of the rest
+constexpr float kNearlyAlike = 0.02f;  // of the range of all
 constexpr std::size_t kSamples = 400'000;
 
 std::vector<float> finiteOnes(std::vector<float> values) {
@@ -49,7 +49,7 @@ std::pair<Padding, std::size_t> fullestWindow(const std::vector<float>& sorted, 
 
 std::optional<Padding> findPadding(const Volume<float>& volume) {
   const std::vector<float> sides = valuesOnSides(volume), all = sampleOf(volume);
-  if (sides.empty() || all.front() == all.back()) return {};
+  if (sides.empty() || all.empty() || all.front() == all.back()) return {};
   const auto isMost = [&](std::size_t count) { return double(count) > kMostSides * double(sides.size()); };
   const auto [exact, alike] = fullestWindow(sides, 0);
   if (isMost(alike)) return exact;

@@ -69,6 +69,14 @@ TEST(Normalise, ConstantVolumesOfAnySizeAreFinite) {
     for (const float v : normalised(Volume<float>(test::grid({4, 4, 4}), value)).volume.data) ASSERT_EQ(v, 0);
 }
 
+// One number among millions that are none, where samples of a large volume do not look.
+TEST(Padding, OfHardlyAnyNumbersIsNone) {
+  Volume<float> empty(test::grid({130, 130, 100}), std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(findPadding(empty));
+  empty.data[1] = 0.5f;
+  EXPECT_FALSE(findPadding(empty));
+}
+
 // A mask may mark all of a volume's sides; that is no padding.
 TEST(Padding, IsNotLookedForInMarks) {
   Volume<float> mask(test::grid({10, 10, 10}), 1);
