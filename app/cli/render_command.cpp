@@ -83,6 +83,9 @@ Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& c
 }
 
 Made showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
+  if (o.scale != 1 || o.flip)
+    throw Error("--scale and --flip are for meshes; of a volume correct the spacing in its header",
+                Error::Kind::usage);
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
   const Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);

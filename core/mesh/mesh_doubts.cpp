@@ -35,7 +35,8 @@ std::vector<std::string> meshDoubts(const Mesh& mesh) {
                     "1000 for metres",
                     double(size)));
   if (volumeAround(mesh, box.centre()) < kInward * double(size) * double(size) * double(size))
-    doubts.push_back("the surface looks inward: if it is dark, its triangles are turned over; give --flip");
+    doubts.push_back(
+        "the surface looks inward: if it is dark, its triangles are turned over: render it with --flip");
   return doubts;
 }
 

@@ -159,6 +159,7 @@ TEST(CommandLine, MeshesInOtherUnitsAreToldAndMended) {
   const ProgramResult result = sonoskin(mended);
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
+  EXPECT_EQ(sonoskin({"render", "phantom", "--out", out, "--flip"}).status, 2);  // it would do nothing
 }
 
 TEST(CommandLine, ExplainsEveryField) {
