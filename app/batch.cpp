@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/mesh_encoders.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
@@ -203,11 +204,13 @@ std::vector<std::string> obsoleteFiles(const BatchRun& run) {
   static const std::regex kOurs(
       R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.(ply|stl|obj|mtl|glb|3mf)|skin_\w+\.png|)"
       R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)");
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(run.options.folder / "report.json", code)) return {};
-  std::ifstream file(run.options.folder / "report.json");
-  const nlohmann::json earlier = nlohmann::json::parse(file, nullptr, false);
   std::vector<std::string> obsolete;
+  nlohmann::json earlier;
+  try {
+    earlier = nlohmann::json::parse(readText(run.options.folder / "report.json"), nullptr, false);
+  } catch (const Error&) {
+    return obsolete;  // there was no earlier run, or its report is none
+  }
   if (!earlier.is_object() || !earlier.contains("files") || !earlier["files"].is_array()) return obsolete;
   for (const nlohmann::json& name : earlier["files"])
     if (name.is_string() && std::regex_match(name.get<std::string>(), kOurs) &&
@@ -235,12 +238,11 @@ void addPictures(BatchRun& run, const Scan& scan, const Results& results, const 
   try {
     drawPictures(run, scan, results);
     writeBaked(run, run.progress.part(kDrawn, 1));
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::exception& error) {
-    const auto* known = dynamic_cast<const Error*>(&error);
-    throw Error(fmt::format("The surface is written, but its pictures could not be drawn: {}",
-                            known ? error.what() : "memory is short."),
+  } catch (const Error& error) {
+    throw Error(fmt::format("The surface is written, but its pictures could not be drawn: {}", error.what()),
+                Error::Kind::system);
+  } catch (const std::bad_alloc&) {
+    throw Error("The surface is written, but its pictures could not be drawn: memory is short.",
                 Error::Kind::system);
   }
   publish(run, timer);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 
 namespace sonoskin {
 namespace {
@@ -45,10 +46,11 @@ fs::path settingsFile() {
 
 Settings readSettings(const fs::path& file) {
   Settings settings;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return settings;
-  std::ifstream stream(file);
-  const json root = json::parse(stream, nullptr, false);
+  json root;
+  try {
+    root = json::parse(readText(file), nullptr, false);
+  } catch (const Error&) {
+  }
   if (!root.is_object()) return settings;
   try {
     settings.folder = root.value("folder", std::string());
@@ -78,11 +80,14 @@ void writeSettings(const fs::path& file, const Settings& settings) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   try {
+    fs::permissions(file, kMine, error);  // an earlier file, whose permissions the new one takes over
     writeAtomically(file, [&](const fs::path& temporary) {
       fs::permissions(temporary, kMine);
-      std::ofstream(temporary) << text;
+      std::ofstream stream(temporary);
+      stream << text;
+      stream.close();
+      require(bool(stream), "The settings could not be written.");
     });
-    fs::permissions(file, kMine, error);  // an earlier file may have been open to others
   } catch (const Error&) {
   }
 }

@@ -30,9 +30,9 @@ std::vector<std::string> meshDoubts(const Mesh& mesh) {
   const float size = box.diagonal();
   if (size < kSmallest || size > kLargest)
     doubts.push_back(
-        fmt::format("the surface is {:.3g} mm across, which no face is: if its file is in another unit, give "
-                    "--scale, such as "
-                    "1000 for metres",
+        fmt::format("the surface is {:.3g} mm across, which no face is: if its file is in another unit, "
+                    "render it with --scale, "
+                    "such as 1000 for metres",
                     double(size)));
   if (volumeAround(mesh, box.centre()) < kInward * double(size) * double(size) * double(size))
     doubts.push_back(
