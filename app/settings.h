@@ -28,7 +28,8 @@ std::filesystem::path settingsFile();
 
 // readSettings: what the file holds; defaults for what it lacks, and where it is missing or damaged.
 Settings readSettings(const std::filesystem::path& file);
-// writeSettings: for this user's eyes alone (mode 600); makes the folder where needed. A failure is not worth a word: nothing is lost but comfort.
+// writeSettings: for this user's eyes alone (mode 600); makes the folder where needed. A failure is not worth a word:
+// nothing is lost but comfort.
 void writeSettings(const std::filesystem::path& file, const Settings& settings);
 
 }  // namespace sonoskin

@@ -18,16 +18,16 @@ struct NormalisedVolume {
 
 // normalise: turns the numbers of a file into intensities.
 //   input   numbers  as LoadedVolume has them
+//           outside  whether padding is looked for; marks have none
 //   output  8-bit types: the type's range becomes [0, 1]. Others: that of values which fill half of 0 to 1, 255 or
 //           65535, so that a scan is the same in any type; else the 0.05th and the 99.95th percentile of what was recorded
 //           become 0 and 1 and values beyond are clamped: a wide type's range says nothing (CT uses 4,000 of 65,536
 //           values) and a few stray values must not darken all others. Where that leaves no contrast, the least and the
-//           greatest value. Padding (findPadding) becomes 0, whatever its value. A file of ours tells its range itself. NaN and infinity become 0. Colour becomes
-//           its luminance (Rec. 709 weights on the coded values, so that grey stays as it is); of several time steps
-//           side by side the first is taken.
+//           greatest value. A file of ours tells its range itself. Padding (findPadding) becomes 0, whatever its value, and so
+//           do NaN and infinity. Colour becomes its luminance (Rec. 709 weights on the coded values, so that grey stays as it
+//           is); of several time steps side by side the first is taken.
 //   cost    O(voxels); percentiles from at most 4 million voxels, evenly chosen
 //   errors  Cancelled
-//   outside     whether padding is looked for; marks have none
 NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,
                            const Progress& progress = {}, bool outside = true);
 

@@ -18,13 +18,13 @@ class Staging {
   Staging& operator=(const Staging&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  const std::filesystem::path& folder() const { return folder_; }
 
   // publish: gives every file in it its name in the folder, and takes `obsolete` away: all of it, or after a crash
   // either none or, as soon as anything is written there again, all. Files keep the permissions of those they replace.
-  //   obsolete  plain names without line ends, as those of the files; what does not exist or is no ordinary file is left alone
+  //   obsolete  plain names without line ends, as those of the files; what does not exist or is no ordinary file is left
+  //             alone
   //   errors    Error (system): a name is taken by something that is no ordinary file, or the disk is full: nothing was
-  //             changed then
+  //             changed then; or the system refuses a name: then the next output there goes on
   void publish(const std::vector<std::string>& obsolete = {});
   // publishOnly: the same for one file, whose name may hold anything.
   void publishOnly(const std::string& name);

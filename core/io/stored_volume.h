@@ -43,7 +43,8 @@ struct LoadedVolume {
 
 // checkGeometry: refuses what cannot be a volume of three dimensions, and makes the direction exactly orthonormal.
 //   errors   Error: fewer than 2 or more than 65535 voxels along an axis, more than 2^31 voxels; spacing, origin or
-//            direction not finite, spacing not positive, sizes that no scan of a body has, axes not at right angles; several numbers per voxel that are
+//            direction not finite, spacing not positive, sizes that no scan of a body has, axes not at right
+//            angles; several numbers per voxel that are
 //            neither colour nor time
 void checkGeometry(StoredVolume& stored, const std::filesystem::path& path);
 
