@@ -204,6 +204,9 @@ TEST(ReadScan, RefusesGeometryThatMakesNoSense) {
   expectError(with("ElementSpacing = 1 nan 1"), "spacing");
   expectError(with("ElementSpacing = 1 0 1"), "spacing");
   expectError(with("ElementSpacing = 1 inf 1"), "spacing");
+  // Lengths that no scan of a body has: another unit, or damage.
+  for (const char* sizes : {"1e300 1 1", "1e12 1e12 1e12", "1e4 1e4 1e4", "1e-9 1e-9 1e-9", "1e-3 1 500"})
+    expectError(with(std::string("ElementSpacing = ") + sizes), "which no scan of a body has");
   expectError(with("ElementSpacing = 1 one 1"), "spacing");
   expectError(with("Offset = 0 inf 0"), "origin");
   expectError(with("TransformMatrix = 1 0 0 1 1 0 0 0 1"), "right angles");
