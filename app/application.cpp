@@ -193,7 +193,8 @@ void Application::act(const ui::FileChoice& choice) {
       return session.saveSkin(choice.path, views_.space.skin.bake(workspace_, true));
     case ui::FilePurpose::savePicture:
       return session.savePicture(choice.path,
-                                 ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}));
+                                 ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}),
+                                 workspace_.view.content == SpaceContent::mesh);
   }
 }
 

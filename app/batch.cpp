@@ -192,7 +192,7 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
   if (options.keepThinned)
     writeVolume(run.file("thinned.nrrd"), *results.thinned, scan.beam, progress.part(0.9, 0.95));
   if (options.keepPoints) writePoints(run.file("points.ply"), *results.points);
-  const std::string recipe = writeRecipe(run.parameters, scan.key);
+  const std::string recipe = writeRecipe(run.parameters, scan.key, scan.erased.get());
   writeBytes(run.file("recipe.json"), recipe.data(), recipe.size());
   progress.update(1);
   return 0;

@@ -33,8 +33,10 @@ void showAll(W& w) {
 }
 
 void resetParameters(W& w) {
-  w.session.edit({});
-  w.session.commitEdit();
+  w.carefully("Setting all parameters back", [&w] {
+    w.session.edit({});
+    w.session.commitEdit();
+  });
 }
 
 bool hasErased(const W& w) { return w.session.erased().voxels() > 0; }

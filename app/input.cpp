@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/log.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
@@ -12,12 +13,28 @@
 
 namespace sonoskin {
 
+namespace {
+
+void eraseAsIn(const RecipeInput& recipe, Scan& scan) {
+  if (recipe.erased.counts.empty()) return;
+  if (recipe.key != scan.key.hex())
+    return log(LogLevel::warning,
+               "what the recipe erases is of another volume; nothing is erased of this one");
+  setErased(scan, fromRunLengths(recipe.erased, scan.volume->geometry));
+}
+
+}  // namespace
+
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress) {
   const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
   Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
                                             : readScan(files.volume, volume);
+  if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
   if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
-  if (!files.erased.empty()) setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
+  if (!files.erased.empty())
+    setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
+  else
+    eraseAsIn(files.recipe, scan);
   return scan;
 }
 

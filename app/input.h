@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
+#include "core/pipeline/recipe.h"
 #include "core/volume/scan.h"
 
 namespace sonoskin {
@@ -16,12 +17,15 @@ inline constexpr const char* kPhantomInput = "phantom";
 //   volume  "phantom", or a volume file
 //   mask    a volume file that is not zero where something was scanned
 //   erased  a volume file that is not zero where nothing counts, such as an arm
+//   recipe  what a recipe says of the input
 struct InputFiles {
   std::string volume, mask, erased;
+  RecipeInput recipe{};
 };
 
-// loadInput: the scan that the files name.
-//   errors  Error: see readScan, setMask and setErased; Cancelled
+// loadInput: the scan that the files name, with the spacing of scan.spacing where its file gives none. What the recipe erases
+// is erased of its own scan alone, where no file says what is.
+//   errors  Error: see readScan, setMask, setErased and fromRunLengths; Cancelled
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
 
 // withLandmarks: the parameters, with the phantom's own landmarks where it is the input and none are set.

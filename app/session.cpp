@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/parameters_key.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/scan_doubts.h"
+#include "core/pipeline/stage_keys.h"
 
 namespace sonoskin {
 
@@ -18,19 +18,22 @@ void Session::adopt(Opened opened) {
   const Scan& scan = opened.scan;
   const bool resized = hasScan() && scan.volume->geometry.dims != scan_.volume->geometry.dims;
   const bool other = hasScan() && !(scan.key == scan_.key);
-  const LandmarkOptions before = parameters_.landmarks;
-  if (other || !hasLandmarks(before)) parameters_.landmarks = opened.landmarks;
-  const bool moved = !(parameters_.landmarks == before);
-  const bool anew = resized || moved || erased_.hasStrokes() || scan.erased;
+  const Key before = parametersKey(parameters_);
+  if (other || !hasLandmarks(parameters_.landmarks)) parameters_.landmarks = opened.landmarks;
+  if (opened.isAnother && hasScan()) parameters_.scan.spacing = {};
   if (resized) parameters_.region = {};
+  const bool changed = !(parametersKey(parameters_) == before);
+  const bool anew = resized || changed || erased_.hasStrokes() || scan.erased;
   erased_.reset(scan.volume->geometry);
   if (scan.erased) erased_.become(*scan.erased);
   if (anew) history_ = History<Version>({parameters_, erased_.strokes()});
   scan_ = std::move(opened.scan);
   name_ = opened.name;
+  givesSpacing_ = opened.givesSpacing;
+  phantom_ = opened.phantom;
   runner_.cancel();
   results_ = {};
-  meshKey_ = {};
+  made_ = {};
   meshArea_ = 0;
   warned_.clear();
   ++revision_;
@@ -45,18 +48,17 @@ void Session::edit(const Parameters& parameters) { show(parameters); }
 void Session::show(const Parameters& given) {
   Parameters parameters = given;
   parameters.scan = sidesApart(given.scan, parameters_.scan);  // what is drawn needs beams at any time
-  const bool changesResults = !(classifiedKey(parameters) == classifiedKey(parameters_));
-  const bool changesPoints =
-      !(pointsKey(parameters) == pointsKey(parameters_)) || !(scan_.erasedKey == erased_.key());
-  const bool changesMesh = !(meshKey(parameters) == meshKey(parameters_));
+  const StageKeys before = stageKeys(scan_.key, scan_.erasedKey, parameters_);
   parameters_ = parameters;
-  if (changesResults) {
+  const StageKeys after = currentKeys();
+  if (!(after.classified == before.classified)) {
     update(Goal::classified);
-  } else if (changesPoints) {
+  } else if (!(after.points == before.points)) {
     update(Goal::points);
-  } else if (changesMesh && mayFollow()) {
+  } else if (!(after.mesh == before.mesh) && mayFollow()) {
     update(Goal::surface);
   }
+  respace();
 }
 
 // Only the adaptive method is fast enough for that.
@@ -95,10 +97,10 @@ void Session::showVersion() {
 void Session::editParts(const MeshOptions& mesh) {
   Parameters parameters = parameters_;
   parameters.mesh = mesh;
-  const bool changes = !(meshKey(parameters) == meshKey(parameters_));
+  const Key before = currentKeys().mesh;
   edit(parameters);
   commitEdit();
-  if (changes && results_.mesh && !mayFollow()) update(Goal::surface);
+  if (!(currentKeys().mesh == before) && results_.mesh && !mayFollow()) update(Goal::surface);
 }
 
 void Session::undo() {
@@ -126,10 +128,26 @@ void Session::clearErased() {
 
 // ---- results
 
-bool Session::meshIsCurrent() const { return results_.mesh && meshKey_ == currentMeshKey(); }
+bool Session::meshIsCurrent() const { return results_.mesh && made_.mesh == currentKeys().mesh; }
 
-Key Session::currentMeshKey() const {
-  return Hasher("mesh").add(scan_.key).add(erased_.key()).add(meshKey(parameters_)).key();
+StageKeys Session::currentKeys() const { return stageKeys(scan_.key, erased_.key(), parameters_); }
+
+DocumentState Session::state() const {
+  DocumentFacts facts;
+  facts.hasScan = hasScan();
+  facts.opening = opener_.status().busy;
+  facts.working = runner_.status().busy || request_;
+  facts.saving = saver_.status().busy;
+  facts.stopped = stopped_.has_value();
+  facts.failed = failed_;
+  facts.hasMesh = results_.mesh != nullptr;
+  facts.meshIsCurrent = meshIsCurrent();
+  facts.meshIsFinal = meshIsFinal();
+  return stateOf(facts);
+}
+
+void Session::resume() {
+  if (stopped_) submit(*stopped_);
 }
 
 bool Session::classifiedIsCoarse() const {
@@ -139,11 +157,13 @@ bool Session::classifiedIsCoarse() const {
 void Session::submit(Goal goal) {
   if (!hasScan()) return;
   delayed_.reset();
+  stopped_.reset();
+  failed_ = false;
   answerOwed_ = goal != Goal::mesh;
   request_ = goal;
-  requestKey_ = currentMeshKey();
   scan_.erased = erased_.snapshot();
   scan_.erasedKey = erased_.key();
+  requested_ = {recipeParameters(), scan_.erased, currentKeys().mesh};
   Parameters wanted = parameters_;
   wanted.print.form = PrintForm::none;  // a solid is made when it is saved
   runner_.submit({scan_, wanted, goal, goal == Goal::classified});
@@ -170,8 +190,8 @@ void Session::takeResults() {
   if (!fresh) return;
   answerOwed_ = false;
   if (fresh->mesh) {
-    meshKey_ = requestKey_;
-    meshIsFinal_ = fresh->isFinal;
+    made_ = requested_;
+    made_.isFinal = fresh->isFinal;
     meshArea_ = surfaceArea(*fresh->mesh);
     if (request_ == Goal::mesh) ++reconstructions_;
   } else {
@@ -209,7 +229,9 @@ void Session::finishRequest() {
   const Goal goal = *std::exchange(request_, std::nullopt);
   answerOwed_ = false;
   const Runner::Status status = runner_.status();
+  if (status.cancelled) stopped_ = goal;
   if (!status.error.empty()) {
+    failed_ = true;
     report(Message::Kind::failure, status.error);
   } else if (!status.cancelled && !delayed_) {
     if (goal == Goal::classified) submit(Goal::points);

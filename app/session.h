@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document_state.h"
 #include "app/erased_parts.h"
 #include "app/history.h"
 #include "app/worker.h"
@@ -44,8 +45,8 @@ class Session {
   // scan has none, the phantom brings its own.
   void openFile(const std::filesystem::path& path);
   void openPhantom();
-  // setSpacing: for files that give none; mm.
-  void setSpacing(const glm::dvec3& spacing);
+  // givesSpacing: whether the scan's own file does; otherwise scan.spacing is its spacing.
+  bool givesSpacing() const { return givesSpacing_; }
   bool hasScan() const { return scan_.volume != nullptr; }
   const Scan& scan() const { return scan_; }
   Beam beam() const { return beamOf(scan_, parameters_.scan); }
@@ -72,6 +73,10 @@ class Session {
   void loadErased(const std::filesystem::path& path);
   void saveErased(const std::filesystem::path& path);
 
+  // state: see DocumentState. resume() goes on where the person stopped.
+  DocumentState state() const;
+  void resume();
+
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
@@ -81,7 +86,7 @@ class Session {
   // face: where the face is, if it is certain; else null.
   const FaceFit* face() const;
   // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
-  bool meshIsFinal() const { return meshIsFinal_; }
+  bool meshIsFinal() const { return results_.mesh && made_.isFinal; }
   // Whether the mesh, once there is one, is made again when parameters change.
   bool followsParameters() const { return follows_; }
   void followParameters(bool follow);
@@ -90,12 +95,15 @@ class Session {
   void reconstruct();
   void cancel();
 
-  // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json").
+  // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json"): the one that makes the same surface again, even
+  // where the parameters have changed since it was made. A surface that is older than them, or not final, is saved with a
+  // warning.
   void saveMesh(const std::filesystem::path& path);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
   void saveSkin(const std::filesystem::path& path, TexturedMesh surface);
-  void savePicture(const std::filesystem::path& path, Image image);
+  // showsMesh: whether the picture is one of the mesh
+  void savePicture(const std::filesystem::path& path, Image image, bool showsMesh);
   void saveRecipe(const std::filesystem::path& path);
   // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
   bool hasUnsavedWork() const;
@@ -117,17 +125,35 @@ class Session {
     Scan scan;
     std::string name;
     LandmarkOptions landmarks{};
+    bool givesSpacing = true;
+    bool isAnother = true;                    // not the one that is open, with another spacing
+    std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
+  };
+  // MeshOrigin: what a surface was made from: all that its recipe needs.
+  struct MeshOrigin {
+    Parameters parameters;
+    std::shared_ptr<const Volume<std::uint8_t>> erased;
+    Key mesh;
+    bool isFinal = false;
+    Key key() const { return Hasher("origin").add(mesh).add(isFinal).key(); }
   };
   void adopt(Opened opened);
-  void open(const std::string& label, Opened opened, std::function<Scan(const Progress&)> make);
-  void save(const std::filesystem::path& path, std::function<void(const Progress&)> write,
-            std::function<void()> saved = {});
+  // make: fills in what is opened, in the background
+  void open(const std::string& label, Opened opened, std::function<void(Opened&, const Progress&)> make);
+  void save(const std::filesystem::path& path, const std::string& recipe,
+            std::function<void(const Progress&)> write, std::function<void()> saved = {});
   // saved: called on this thread when all is written
   void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write,
                  std::function<void()> saved = {});
   void show(const Parameters& parameters);
   void showVersion();
-  Key currentMeshKey() const;
+  void respace();
+  StageKeys currentKeys() const;
+  Parameters recipeParameters() const;
+  Parameters shownParameters() const;
+  std::string recipeOfMesh(const Parameters& parameters) const;
+  std::string recipeNow();
+  void warnOfMesh();
   void update(Goal goal);
   void submit(Goal goal);
   bool mayFollow() const;
@@ -144,15 +170,19 @@ class Session {
 
   Scan scan_;
   std::string name_;
+  bool givesSpacing_ = true;
+  std::optional<PhantomOptions> phantom_;  // of the scan, where it is simulated
   Parameters parameters_;
   ErasedParts erased_;
   History<Version> history_;
   Results results_;
-  Key meshKey_;                  // scan and parameters of results_.mesh
+  MeshOrigin made_;              // of results_.mesh
   Key savedMesh_, savedErased_;  // of what was saved last
-  bool meshIsFinal_ = false, follows_ = true;
+  bool follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
-  Key requestKey_;
+  MeshOrigin requested_;         // from what
+  std::optional<Goal> stopped_;  // what the person ended
+  bool failed_ = false;          // whether the last request did
   bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
   std::optional<Goal> delayed_;  // what to submit when it has
   double meshArea_ = 0;

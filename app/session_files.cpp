@@ -22,40 +22,50 @@ namespace fs = std::filesystem;
 
 // ---- opening
 
-void Session::open(const std::string& label, Opened opened, std::function<Scan(const Progress&)> make) {
+void Session::open(const std::string& label, Opened opened,
+                   std::function<void(Opened&, const Progress&)> make) {
   const auto made = std::make_shared<Opened>(std::move(opened));
-  opener_.replace({label,
-                   [made, make = std::move(make)](const Progress& progress) { made->scan = make(progress); },
+  opener_.replace({label, [made, make = std::move(make)](const Progress& progress) { make(*made, progress); },
                    [this, made] { adopt(std::move(*made)); }});
 }
 
+// A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next.
 void Session::openFile(const fs::path& path) {
   const std::string name = path.filename().string();
-  open("Opening " + name, {{}, name}, [path](const Progress& progress) { return readScan(path, progress); });
-}
-
-void Session::openPhantom() {
-  open("Simulating the phantom", {{}, "Phantom", phantomLandmarks(parameters_.phantom)},
-       [options = parameters_.phantom](const Progress& progress) {
-         return makePhantomScan(options, progress);
-       });
-}
-
-void Session::setSpacing(const glm::dvec3& spacing) {
-  open("Setting the spacing", {{}, name_}, [scan = scan_, spacing](const Progress&) {
-    auto volume = std::make_shared<Volume<float>>(*scan.volume);
-    volume->geometry.spacing = spacing;
-    Scan changed = scan;
-    changed.key = scanKey(*volume, scan.beam);
-    changed.volume = std::move(volume);
-    changed.spacingKnown = true;
-    return changed;
+  const std::array<double, 3> spacing = hasScan() ? ScanOptions().spacing : parameters_.scan.spacing;
+  open("Opening " + name, {{}, name}, [path, spacing](Opened& opened, const Progress& progress) {
+    opened.scan = readScan(path, progress);
+    opened.givesSpacing = opened.scan.spacingKnown;
+    if (!opened.givesSpacing) setSpacing(opened.scan, spacing);
   });
 }
 
+void Session::openPhantom() {
+  Opened opened{{}, "Phantom", phantomLandmarks(parameters_.phantom)};
+  opened.phantom = parameters_.phantom;
+  open("Simulating the phantom", std::move(opened),
+       [](Opened& made, const Progress& progress) { made.scan = makePhantomScan(*made.phantom, progress); });
+}
+
+// The spacing of a scan whose file gives none is a parameter like others; another one makes it another scan.
+void Session::respace() {
+  const std::array<double, 3>& spacing = parameters_.scan.spacing;
+  if (!hasScan() || givesSpacing_ || isSpaced(scan_, spacing)) return;
+  Opened opened{scan_, name_};
+  opened.givesSpacing = opened.isAnother = false;
+  open("Setting the spacing", std::move(opened),
+       [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
+}
+
+// What a recipe erases is erased of its own scan alone.
 void Session::loadRecipe(const fs::path& path) {
   Parameters read = parameters_;
-  readRecipe(readText(path), read);
+  const RecipeInput input = readRecipe(readText(path, kMostRecipeBytes), read);
+  if (!input.erased.counts.empty() && input.key == scan_.key.hex())
+    erased_.become(fromRunLengths(input.erased, scan_.volume->geometry));
+  else if (!input.erased.counts.empty())
+    report(Message::Kind::warning,
+           "what the recipe erases is of another volume; nothing is erased of this one");
   show(read);
   commitEdit();
 }
@@ -107,13 +117,12 @@ void Session::saveAlone(const fs::path& path, std::function<void(const Progress&
 
 bool Session::hasUnsavedWork() const {
   const bool hasSurface = results_.mesh && reconstructions_ > 0;
-  return (hasSurface && !(meshKey_ == savedMesh_)) ||
+  return (hasSurface && !(made_.key() == savedMesh_)) ||
          (erased_.voxels() > 0 && !(erased_.key() == savedErased_));
 }
 
-void Session::save(const fs::path& path, std::function<void(const Progress&)> write,
-                   std::function<void()> saved) {
-  const std::string recipe = writeRecipe(parameters_, scan_.key);
+void Session::save(const fs::path& path, const std::string& recipe,
+                   std::function<void(const Progress&)> write, std::function<void()> saved) {
   saveAlone(
       path,
       [path, recipe, write = std::move(write)](const Progress& progress) {
@@ -131,34 +140,77 @@ void Session::save(const fs::path& path, std::function<void(const Progress&)> wr
 // A volume's own name may be a patient's.
 std::string Session::proposedName(const std::string& ending) const { return "surface" + ending; }
 
+// The parameters, with those of the simulation that the scan at hand was made with.
+Parameters Session::recipeParameters() const {
+  Parameters parameters = parameters_;
+  if (phantom_) parameters.phantom = *phantom_;
+  return parameters;
+}
+
+std::string Session::recipeOfMesh(const Parameters& parameters) const {
+  return writeRecipe(parameters, scan_.key, made_.erased.get());
+}
+
+void Session::warnOfMesh() {
+  if (!meshIsCurrent())
+    report(Message::Kind::warning,
+           "the surface that is saved is older than the parameters; the recipe beside it has its own");
+  if (!meshIsFinal())
+    report(
+        Message::Kind::warning,
+        "the surface that is saved was made with short cuts while the parameters moved: reconstruct it, and "
+        "save it again, for one that its recipe repeats");
+}
+
 void Session::saveMesh(const fs::path& path) {
   require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
+  warnOfMesh();
   save(
-      path, [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
-      [this, key = meshKey_] { savedMesh_ = key; });
+      path, recipeOfMesh(made_.parameters),
+      [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
+      [this, key = made_.key()] { savedMesh_ = key; });
 }
 
 void Session::savePrint(const fs::path& path) {
   require(results_.mesh != nullptr, "there is no surface to print yet; reconstruct it first");
-  PrintOptions options = parameters_.print;
+  warnOfMesh();
+  Parameters parameters = made_.parameters;
+  parameters.print = parameters_.print;
+  PrintOptions& options = parameters.print;
   if (options.form == PrintForm::none) options.form = PrintForm::shell;
-  save(path, [path, options, mesh = results_.mesh](const Progress& progress) {
+  save(path, recipeOfMesh(parameters), [path, options, mesh = results_.mesh](const Progress& progress) {
     writeMesh(path, makePrintSolid(*mesh, options, progress.part(0, 0.9)), progress.part(0.9, 1));
   });
 }
 
-void Session::saveSkin(const fs::path& path, TexturedMesh surface) {
-  const auto baked = std::make_shared<TexturedMesh>(std::move(surface));
-  save(path, [path, baked](const Progress& progress) { writeTexturedMesh(path, *baked, progress); });
+// What is shown of a surface: itself as it was made, in the present light.
+Parameters Session::shownParameters() const {
+  Parameters parameters = made_.parameters;
+  parameters.skin = parameters_.skin;
+  parameters.light = parameters_.light;
+  parameters.landmarks = parameters_.landmarks;
+  return parameters;
 }
 
-void Session::savePicture(const fs::path& path, Image image) {
+void Session::saveSkin(const fs::path& path, TexturedMesh surface) {
+  warnOfMesh();
+  const auto baked = std::make_shared<TexturedMesh>(std::move(surface));
+  save(path, recipeOfMesh(shownParameters()),
+       [path, baked](const Progress& progress) { writeTexturedMesh(path, *baked, progress); });
+}
+
+void Session::savePicture(const fs::path& path, Image image, bool showsMesh) {
   const auto picture = std::make_shared<Image>(std::move(image));
-  save(path, [path, picture](const Progress&) { writePng(path, *picture); });
+  const std::string recipe = showsMesh ? recipeOfMesh(shownParameters()) : recipeNow();
+  save(path, recipe, [path, picture](const Progress&) { writePng(path, *picture); });
+}
+
+std::string Session::recipeNow() {
+  return writeRecipe(recipeParameters(), scan_.key, erased_.snapshot().get());
 }
 
 void Session::saveRecipe(const fs::path& path) {
-  saveAlone(path, [path, recipe = writeRecipe(parameters_, scan_.key)](const Progress&) {
+  saveAlone(path, [path, recipe = recipeNow()](const Progress&) {
     writeBytes(path, recipe.data(), recipe.size());
   });
 }

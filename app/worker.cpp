@@ -54,6 +54,7 @@ void Worker::replace(Task task) {
 void Worker::cancel() {
   const std::lock_guard lock(mutex_);
   dropAll();
+  if (!running_) status_ = {};  // the thread had not begun, and has nothing to wake for
 }
 
 Worker::Status Worker::status() const {
@@ -88,6 +89,7 @@ void Worker::work() {
 void Worker::runTask(Task task, std::unique_lock<std::mutex>& lock) {
   status_ = {true, 0, task.label};
   sink_.cancel = false;
+  running_ = true;
   lock.unlock();
   std::string failure;
   bool ended = false;
@@ -99,6 +101,7 @@ void Worker::runTask(Task task, std::unique_lock<std::mutex>& lock) {
     failure = error.what();
   }
   lock.lock();
+  running_ = false;
   if (sink_.cancel) return;  // dropped meanwhile: nobody waits for it any more
   if (ended && task.done) done_.push_back(std::move(task.done));
   if (!failure.empty()) failed_.push_back(failure);

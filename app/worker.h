@@ -52,7 +52,7 @@ class Worker {
   std::vector<std::string> failed_;
   Status status_;
   ProgressSink sink_;
-  bool stop_ = false;
+  bool stop_ = false, running_ = false;
   std::thread thread_;
 };
 

@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/pipeline/presets.h"
-#include "core/pipeline/recipe.h"
 #include "core/skin/skin_presets.h"
 
 namespace sonoskin {
@@ -67,9 +66,14 @@ void ParameterOptions::addOne(CLI::App& command, const std::string& shortName, c
 }
 
 Parameters ParameterOptions::resolve() const {
+  RecipeInput unused;
+  return resolve(unused);
+}
+
+Parameters ParameterOptions::resolve(RecipeInput& input) const {
   Parameters parameters;
   if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
-  if (!recipe_.empty()) readRecipe(readText(recipe_), parameters);
+  if (!recipe_.empty()) input = readRecipe(readText(recipe_, kMostRecipeBytes), parameters);
   if (!look_.empty()) applySkinPreset(findSkinPreset(look_), parameters.skin, parameters.light);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;

@@ -123,7 +123,8 @@ void render(RenderOptions& options, Console& console) {
   checkSkinOptions(options.skin, options.view, options.out);
   parseLighting(options.picture.light,
                 parseCamera(options.picture.camera, {}, {}, 1));  // refuses bad words now
-  const Parameters parameters = withLandmarks(options.parameters.resolve(), options.files.volume);
+  const Parameters parameters =
+      withLandmarks(options.parameters.resolve(options.files.recipe), options.files.volume);
   const auto context = gl::makeOffscreenContext(options.backend);
   const Made made = isMeshFile(options.files.volume) ? showMeshFile(options, parameters, *context, console)
                                                      : showVolumeFile(options, parameters, *context, console);

@@ -21,7 +21,7 @@ struct RunOptions {
 
 void run(RunOptions& options, Console& console) {
   BatchOptions& batch = options.batch;
-  batch.parameters = options.parameters.resolve();
+  batch.parameters = options.parameters.resolve(batch.input.recipe);
   const bool canBake = std::ranges::any_of(
       batch.meshFormats, [](const std::string& format) { return format == "glb" || format == "obj"; });
   if (batch.bake != Bake::none && !canBake)

@@ -49,6 +49,16 @@ void drawFace(const Workspace& workspace) {
   ImGui::PopTextWrapPos();
 }
 
+// What has no effect for the parameters' sake, or the file's.
+std::function<RowText(std::string_view)> scanUse(const Session& session, const Parameters& parameters,
+                                                 std::string_view group) {
+  return [use = useOf(parameters, group), given = session.givesSpacing(), group](std::string_view field) {
+    if (group == "scan" && field == "spacing" && given)
+      return RowText{.unused = "The file gives the spacing"};
+    return use(field);
+  };
+}
+
 }  // namespace
 
 void drawMorePanel(Workspace& workspace) {
@@ -59,7 +69,7 @@ void drawMorePanel(Workspace& workspace) {
   groups(
       [&](const Group& group, auto& options) {
         if (std::find(kElsewhere.begin(), kElsewhere.end(), group.name) != kElsewhere.end()) return;
-        const Rows rows{{}, false, useOf(parameters, group.name)};
+        const Rows rows{{}, false, scanUse(workspace.session, parameters, group.name)};
         edit |= drawGroup(group, options, rows, [&] {
           if (group.name == "surface") drawEdge(workspace.session.results());
           if (group.name == "face") drawFace(workspace);

@@ -15,20 +15,32 @@
 namespace sonoskin::ui {
 namespace {
 
+// The button beside the bar: ends what goes on, or takes it up again.
+void drawCancel(Session& session, bool busy, bool stopped, float width) {
+  const DisabledIf disabled(!busy && !stopped);
+  if (ImGui::Button(stopped ? "Go on" : "Cancel", {width, 0})) stopped ? session.resume() : session.cancel();
+  noteWidget(stopped ? "surface.resume" : "surface.cancel");
+}
+
 // One line that is always there, so that nothing below moves when work begins and ends.
 void drawProgress(Workspace& workspace, const Activity& activity) {
   const float cancel = 72 * unit();
-  const std::string idle = workspace.session.hasScan() ? "Up to date" : "Waiting for a volume";
-  const std::string text =
-      activity.busy ? fmt::format("{}  {:.0f} %", sentence(activity.what), 100 * activity.fraction) : idle;
-  const DisabledIf disabled(!activity.busy);
+  const DocumentState state = workspace.session.state();
+  const bool settled = state == DocumentState::current || state == DocumentState::empty;
+  const std::string text = activity.busy
+                               ? fmt::format("{}  {:.0f} %", sentence(activity.what), 100 * activity.fraction)
+                               : stateText(state);
+  ImGui::PushStyleColor(ImGuiCol_Text, activity.busy ? kText
+                                       : settled     ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
+                                                     : kWarning);
   ImGui::ProgressBar(
       static_cast<float>(activity.busy ? activity.fraction : 0),
       {ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()},
       text.c_str());
+  ImGui::PopStyleColor();
+  noteWidget("surface.state");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {cancel, 0})) workspace.session.cancel();
-  noteWidget("surface.cancel");
+  drawCancel(workspace.session, activity.busy, state == DocumentState::stopped, cancel);
 }
 
 void drawMeshFacts(const Session& session) {
@@ -43,11 +55,6 @@ void drawMeshFacts(const Session& session) {
     fact("Parts", fmt::format("{}, {} shown (P)", results.verdicts->size(), kept));
   } else if (results.pieces && results.pieces->size() > 1) {
     fact("Pieces", fmt::format("{}, one is shown", results.pieces->size()));
-  }
-  if (!session.meshIsCurrent()) {
-    fact("State", "older than the parameters", true);
-  } else if (!session.meshIsFinal()) {
-    fact("State", "live, not yet final");
   }
 }
 

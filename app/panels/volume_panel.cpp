@@ -9,11 +9,22 @@
 namespace sonoskin::ui {
 namespace {
 
+// Another spacing makes another surface of it.
+void applySpacing(Workspace& workspace, const glm::dvec3& spacing) {
+  workspace.carefully("Setting the spacing", [&workspace, spacing] {
+    Parameters parameters = workspace.session.parameters();
+    parameters.scan.spacing = {spacing.x, spacing.y, spacing.z};
+    workspace.session.edit(parameters);
+    workspace.session.commitEdit();
+  });
+}
+
 // For a file without spacing: says so and asks, since every millimetre in the window depends on it.
-void askSpacing(Workspace& workspace) {
+void askSpacing(Workspace& workspace, bool known) {
   ImGui::PushTextWrapPos();
-  ImGui::TextColored(
-      kWarning, "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
+  if (!known)
+    ImGui::TextColored(
+        kWarning, "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
   ImGui::PopTextWrapPos();
   glm::dvec3& spacing = workspace.typedSpacing;
   const double least = 0.001, most = 100;
@@ -22,7 +33,7 @@ void askSpacing(Workspace& workspace) {
                      ImGuiSliderFlags_AlwaysClamp);
   noteWidget("volume.spacing");
   ImGui::SameLine();
-  if (ImGui::Button("Apply", {-1, 0})) workspace.session.setSpacing(spacing);
+  if (ImGui::Button("Apply", {-1, 0})) applySpacing(workspace, spacing);
   noteWidget("volume.applySpacing");
 }
 
@@ -49,7 +60,7 @@ void drawVolumePanel(Workspace& workspace) {
   fact("Spacing", scan.spacingKnown ? spacing : "unknown", !scan.spacingKnown);
   fact("Size", fmt::format("{:.0f} × {:.0f} × {:.0f} mm", size.x, size.y, size.z), !scan.spacingKnown);
   fact("Values", range(scan));
-  if (!scan.spacingKnown) askSpacing(workspace);
+  if (!session.givesSpacing()) askSpacing(workspace, scan.spacingKnown);
 }
 
 }  // namespace sonoskin::ui

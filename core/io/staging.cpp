@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = ".sonoskin-";
-// The list of a set that is complete: lines "+name" for a file that gets its name, "-name" for one that goes.
+// The list of a set that is complete: the number that the file system gave the staging folder, so that one which was copied
+// or unpacked here is not taken for ours; then lines "+name" for a file that gets its name, "-name" for one that goes.
 constexpr const char *kJournal = ".sonoskin-publish", *kUnfinishedJournal = ".sonoskin-list";
 
 template <class... Args>
@@ -74,10 +75,15 @@ std::string randomName() {
   return fmt::format("{}{:016x}{:016x}", kPrefix, numbers[0], numbers[1]);
 }
 
-bool isOwnName(const fs::path& path) { return path.filename().string().starts_with(kPrefix); }
+// Of a staging folder.
+bool isOwnName(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with(kPrefix) && name.size() == std::strlen(kPrefix) + 32 &&
+         name.find_first_not_of("0123456789abcdef", std::strlen(kPrefix)) == std::string::npos;
+}
 bool isPlainName(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && fs::path(name).filename() == fs::path(name) &&
-         !isOwnName(name);
+         !name.starts_with(kPrefix);
 }
 
 bool isTakenByOther(const fs::path& target) {
@@ -124,9 +130,21 @@ void giveName(const fs::path& from, const fs::path& target) {
   if (code) failOnDisk("{} could not be written: {}.", target.string(), code.message());
 }
 
+std::string numberOf(const fs::path& folder) {
+  struct stat facts;
+  return ::stat(folder.c_str(), &facts) == 0 ? fmt::format("{}", facts.st_ino) : std::string();
+}
+
+bool isOwnJournal(const fs::path& staging) {
+  std::ifstream journal(staging / kJournal, std::ios::binary);
+  std::string number;
+  return std::getline(journal, number) && !number.empty() && number == numberOf(staging);
+}
+
 void writeJournal(const fs::path& staging, const std::vector<std::string>& lines) {
   {
     std::ofstream journal(staging / kUnfinishedJournal, std::ios::binary);
+    journal << numberOf(staging) << '\n';
     for (const std::string& line : lines) journal << line << '\n';
     journal.close();
     if (!journal) failOnDisk("{} could not be written completely; the disk may be full.", staging.string());
@@ -139,7 +157,9 @@ void writeJournal(const fs::path& staging, const std::vector<std::string>& lines
 // Does what a journal says, as far as it has not been done.
 void followJournal(const fs::path& staging, const fs::path& folder) {
   std::ifstream journal(staging / kJournal, std::ios::binary);
-  for (std::string line; std::getline(journal, line);) {
+  std::string line;
+  std::getline(journal, line);  // the folder's number
+  while (std::getline(journal, line)) {
     const std::string name = line.empty() ? "" : line.substr(1);
     if (!isPlainName(name)) continue;
     std::error_code code;
@@ -175,8 +195,10 @@ void finishInterrupted(const fs::path& folder) {
     const Folder left(entry->path(), O_NOFOLLOW);
     if (!left.isOurs() || !left.tryLock()) continue;
     std::error_code ignored;
+    const bool published = fs::exists(entry->path() / kJournal, ignored);
+    if (published && !isOwnJournal(entry->path())) continue;
     try {
-      if (fs::exists(entry->path() / kJournal, ignored)) followJournal(entry->path(), folder);
+      if (published) followJournal(entry->path(), folder);
     } catch (const Error&) {
       continue;  // its files are whole where they are; a later start may have more luck
     }

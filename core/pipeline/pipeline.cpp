@@ -67,12 +67,6 @@ std::size_t bytesOf(const std::vector<Mesh>& pieces) {
   return bytes;
 }
 
-// Input: the volume that classification begins from: the scan's own, or the enhanced one.
-struct Input {
-  std::shared_ptr<const Volume<float>> volume;
-  Key key;
-};
-
 Points pointsOf(const Scan& scan, const Volume<float>& classified, const Prepared& prepared, double iso,
                 const Parameters& parameters, const Progress& progress) {
   const SurfaceInput input{*scan.volume,
@@ -149,23 +143,30 @@ class Run {
 };
 
 // Way: what the steps of one run share.
+//   keys  of what it makes, with the short cuts that it takes
 struct Way {
   const Scan& scan;
   const Parameters& parameters;
   Run& run;
   Results& results;
+  Precision precision{};
+  StageKeys keys = stageKeys(scan.key, scan.erasedKey, parameters);
+
+  void cutShort(const Precision& shorter) {
+    precision = shorter;
+    keys = stageKeys(scan.key, scan.erasedKey, parameters, precision);
+  }
 };
 
-// Start: what classification begins from.
+// Start: what classification begins from: the scan's own volume or the enhanced one, and what is known of it.
 struct Start {
-  Input input;
+  std::shared_ptr<const Volume<float>> volume;
   std::shared_ptr<const Prepared> prepared;
-  Key key;
 };
 
 }  // namespace
 
-// Stages: what is remembered, and the steps that fill it; those return the key of what they made.
+// Stages: what is remembered, and the steps that fill it.
 struct Pipeline::Stages {
   Stage<Volume<float>> enhanced{1};
   Stage<Prepared> prepared{1};
@@ -182,75 +183,64 @@ struct Pipeline::Stages {
   Stage<Volume<float>> liveClassified{3};
   CoarseLevel half, quarter;
 
-  Input enhance(const Way& way);
+  std::shared_ptr<const Volume<float>> enhance(const Way& way);
   Start start(const Way& way);
-  Key classify(const Way& way, const Start& start, Goal goal);
-  Key findPoints(const Way& way, const Start& start, const Key& classified);
-  void weigh(const Way& way, const Prepared& prepared, const Key& points);
-  void findFace(const Way& way, const Prepared& prepared, const Key& points);
-  Key findPieces(const Way& way, const Key& points, double until);
-  Key choose(const Way& way, const Prepared& prepared, const Key& pieces, double until);
-  void finishMesh(const Way& way, const Key& chosen, double cleanUntil);
+  void classify(Way& way, const Start& start, Goal goal);
+  void findPoints(const Way& way, const Start& start);
+  void weigh(const Way& way, const Prepared& prepared);
+  void findFace(Way& way, const Prepared& prepared, Goal goal);
+  void findPieces(const Way& way, double until);
+  void choose(const Way& way, const Prepared& prepared, double until);
+  void finishMesh(const Way& way, double cleanUntil);
 };
 
-Input Pipeline::Stages::enhance(const Way& way) {
+std::shared_ptr<const Volume<float>> Pipeline::Stages::enhance(const Way& way) {
   const EnhancementOptions& options = way.parameters.enhancement;
-  if (options.method == EnhancementMethod::none) return {way.scan.volume, way.scan.key};
-  const Key key = keyOf("enhance 1", way.scan.key, options);
-  return {way.run.stage("enhancement", 0.1, enhanced, key,
-                        [&](const Progress& p) { return diffuse(*way.scan.volume, options, p); }),
-          key};
+  if (options.method == EnhancementMethod::none) return way.scan.volume;
+  return way.run.stage("enhancement", 0.1, enhanced, way.keys.enhanced,
+                       [&](const Progress& p) { return diffuse(*way.scan.volume, options, p); });
 }
 
 Start Pipeline::Stages::start(const Way& way) {
   Start start;
-  start.input = enhance(way);
-  start.key = preparedKey(start.input.key, way.parameters);
-  start.prepared = way.run.stage("low-pass", 0.15, prepared, start.key, [&](const Progress& p) {
-    return prepare(way.scan, *start.input.volume, way.parameters, p);
+  start.volume = enhance(way);
+  start.prepared = way.run.stage("low-pass", 0.15, prepared, way.keys.prepared, [&](const Progress& p) {
+    return prepare(way.scan, *start.volume, way.parameters, p);
   });
   return start;
 }
 
 // Sliders are answered fast; what a mesh is made from is solved to the tolerance.
-Key Pipeline::Stages::classify(const Way& way, const Start& start, Goal goal) {
+void Pipeline::Stages::classify(Way& way, const Start& start, Goal goal) {
   ClassificationOptions options = way.parameters.classification;
   const GreyLevels& levels = start.prepared->smoothed.levels;
   way.results.isoValue = isoValueOf(options, levels);
   way.results.isoRange = isoRangeOf(options, levels);
   way.results.visibleLevel = double(levels.between(kVisibleShare));
   if (options.formulation != Formulation::variational) options.isoValue = way.results.isoValue;
-  const Key final = keyOf("classify 2", start.key, options);
-  way.results.isFinal = goal == Goal::mesh || classified.find(final);
-  if (way.results.isFinal) {
-    way.results.classified = way.run.stage("classification", 0.5, classified, final, [&](const Progress& p) {
-      return sonoskin::classify(*start.input.volume, start.prepared->smoothed, options, p);
-    });
-    return final;
-  }
-  const Key key = keyOf("classify live 1", start.key, options);
-  way.results.classified = way.run.stage("classification", 0.5, liveClassified, key, [&](const Progress& p) {
-    return live.classify(start.key, start.input.volume, start.prepared, options, p);
-  });
-  return key;
+  if (goal != Goal::mesh && !classified.find(way.keys.classified)) way.cutShort({false, true});
+  const bool solved = way.precision.solved;
+  Stage<Volume<float>>& memory = solved ? classified : liveClassified;
+  way.results.classified =
+      way.run.stage("classification", 0.5, memory, way.keys.classified, [&](const Progress& p) {
+        if (!solved) return live.classify(way.keys.prepared, start.volume, start.prepared, options, p);
+        return std::make_shared<const Volume<float>>(
+            sonoskin::classify(*start.volume, start.prepared->smoothed, options, p));
+      });
 }
 
-Key Pipeline::Stages::findPoints(const Way& way, const Start& start, const Key& classifiedKey) {
-  const Key region = keyOf("region", way.scan.erasedKey, way.parameters.region);
-  const Key key =
-      keyOf("points 3", Hasher("in").add(classifiedKey).add(region).key(), way.parameters.surface);
-  const auto found = way.run.stage("points", 0.6, points, key, [&](const Progress& p) {
+void Pipeline::Stages::findPoints(const Way& way, const Start& start) {
+  const auto found = way.run.stage("points", 0.6, points, way.keys.points, [&](const Progress& p) {
     return pointsOf(way.scan, *way.results.classified, *start.prepared, way.results.isoValue, way.parameters,
                     p);
   });
   way.results.thinned = found->thinned;
   way.results.points = found->points;
   way.results.edge = found->edge;
-  return key;
 }
 
-void Pipeline::Stages::weigh(const Way& way, const Prepared& from, const Key& pointsKey) {
-  const Key key = Hasher("evidence 1").add(pointsKey).key();
+void Pipeline::Stages::weigh(const Way& way, const Prepared& from) {
+  const Key key = Hasher("evidence 1").add(way.keys.points).key();
   way.results.evidence = way.run.stage("evidence", 0.61, evidence, key, [&](const Progress& p) {
     return weighEvidence({*way.scan.volume, from.smoothed.lowPassed, from.view, from.beam,
                           from.smoothed.levels, *way.results.points, way.results.edge},
@@ -258,12 +248,12 @@ void Pipeline::Stages::weigh(const Way& way, const Prepared& from, const Key& po
   });
 }
 
-void Pipeline::Stages::findFace(const Way& way, const Prepared& from, const Key& pointsKey) {
+// Whoever turns a slider does not wait for a face; one that is known already is used.
+void Pipeline::Stages::findFace(Way& way, const Prepared& from, Goal goal) {
   const FaceOptions& options = way.parameters.face;
   if (!options.find) return;
-  // Whether a face is used is no part of what was found.
-  const Key key = Hasher("face 1").add(pointsKey).add(options.headHeight).key();
-  way.results.face = way.run.stage("face", 0.65, face, key, [&](const Progress& p) {
+  if (goal != Goal::mesh && !face.find(way.keys.face)) return way.cutShort({way.precision.solved, false});
+  way.results.face = way.run.stage("face", 0.65, face, way.keys.face, [&](const Progress& p) {
     const Volume<float>& lowPassed = from.smoothed.lowPassed;
     const float dark = findFluidLevels(lowPassed, from.view, way.results.isoValue).dark;
     return fitFace({*way.results.points, &lowPassed, dark, from.beam}, options, p);
@@ -271,7 +261,7 @@ void Pipeline::Stages::findFace(const Way& way, const Prepared& from, const Key&
 }
 
 // The fit, and all pieces of its surface.
-Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double until) {
+void Pipeline::Stages::findPieces(const Way& way, double until) {
   require(way.results.points->size() > 0 || way.results.warnings.empty(), "no surface was found: {}",
           way.results.warnings.empty() ? "" : way.results.warnings.front());
   require(way.results.points->size() > 0,
@@ -279,35 +269,29 @@ Key Pipeline::Stages::findPieces(const Way& way, const Key& pointsKey, double un
           "edge, or "
           "lower surface.minClusterArea",
           way.results.isoValue);
-  const Key fitKey = fitKeyOf(pointsKey, way.parameters);
-  const auto fit = way.run.stage("fit", 0.8, fitted, fitKey, [&](const Progress& p) {
+  const auto fit = way.run.stage("fit", 0.8, fitted, way.keys.fit, [&](const Progress& p) {
     return fitSurface(*way.results.points, way.parameters.reconstruction, way.parameters.global, p);
   });
   way.results.centres = fit->centres;
   way.results.globalError = fit->report.globalError;
   way.results.globalErrorWithWeights = fit->report.globalErrorWithWeights;
-  const Key key = surfaceKeyOf(fitKey, way.parameters.mesh);
-  way.results.pieces = way.run.stage("surface", until, pieces, key, [&](const Progress& p) {
+  way.results.pieces = way.run.stage("surface", until, pieces, way.keys.pieces, [&](const Progress& p) {
     const MeshOptions& options = way.parameters.mesh;
     const ImplicitFunction function = fit->function(meshCell(way.results.points->positions, options));
     return splitPieces(extractIsoSurface(function, *way.results.points, options, p));
   });
-  return key;
 }
 
 // The parts or pieces that were asked for.
-Key Pipeline::Stages::choose(const Way& way, const Prepared& from, const Key& piecesKey, double until) {
+void Pipeline::Stages::choose(const Way& way, const Prepared& from, double until) {
   const MeshOptions& options = way.parameters.mesh;
   const glm::dvec3 middle = centreOf(way.scan.volume->geometry);
   const bool inParts = cutsParts(options);
-  const Key partsKey = partsKeyOf(piecesKey, options);
-  const Key key =
-      pieceKeyOf(inParts ? keyOf("parts and face", partsKey, way.parameters.face) : piecesKey, options);
   if (inParts)
-    way.results.parts = way.run.stage("parts", 0.99 * until, parts, partsKey, [&](const Progress& p) {
+    way.results.parts = way.run.stage("parts", 0.99 * until, parts, way.keys.parts, [&](const Progress& p) {
       return partSurface(*way.results.pieces, options, p);
     });
-  const auto chosen = way.run.stage("piece", until, piece, key, [&](const Progress& p) {
+  const auto chosen = way.run.stage("piece", until, piece, way.keys.kept, [&](const Progress& p) {
     if (!inParts) return KeptParts{choosePiece(*way.results.pieces, options, from.beam, middle), {}};
     const PartView view{from.beam, middle, options.companions,
                         siteOf(way.results.face.get(), way.parameters.face)};
@@ -316,22 +300,20 @@ Key Pipeline::Stages::choose(const Way& way, const Prepared& from, const Key& pi
   way.results.mesh = std::shared_ptr<const Mesh>(chosen, &chosen->mesh);
   if (inParts)
     way.results.verdicts = std::shared_ptr<const std::vector<PartVerdict>>(chosen, &chosen->verdicts);
-  return key;
 }
 
 // What was chosen, cleaned, and as a solid.
-void Pipeline::Stages::finishMesh(const Way& way, const Key& chosenKey, double cleanUntil) {
+void Pipeline::Stages::finishMesh(const Way& way, double cleanUntil) {
   const MeshOptions& options = way.parameters.mesh;
-  const Key cleanKey = cleanKeyOf(chosenKey, options);
   if (needsCleaning(options)) {
     const auto chosen = way.results.mesh;
-    way.results.mesh = way.run.stage("clean", cleanUntil, mesh, cleanKey,
+    way.results.mesh = way.run.stage("clean", cleanUntil, mesh, way.keys.mesh,
                                      [&](const Progress& p) { return cleanMesh(*chosen, options, p); });
   }
   if (way.parameters.print.form != PrintForm::none)
-    way.results.print = way.run.stage(
-        "print", 1, print, keyOf("print 1", cleanKey, way.parameters.print),
-        [&](const Progress& p) { return makePrintSolid(*way.results.mesh, way.parameters.print, p); });
+    way.results.print = way.run.stage("print", 1, print, way.keys.print, [&](const Progress& p) {
+      return makePrintSolid(*way.results.mesh, way.parameters.print, p);
+    });
 }
 
 Pipeline::Pipeline() : stages_(std::make_unique<Stages>()) {}
@@ -342,20 +324,23 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   checkRanges(parameters);
   Results results;
   Run run(goal == Goal::classified ? progress.part(0, 2) : progress, stageBegins, results);
-  const Way way{scan, parameters, run, results};
+  Way way{scan, parameters, run, results};
+  results.keys = way.keys;
   const Start start = stages_->start(way);
-  const Key classified = stages_->classify(way, start, goal);
+  stages_->classify(way, start, goal);
   if (goal == Goal::classified) return results;
-  const Key points = stages_->findPoints(way, start, classified);
-  stages_->weigh(way, *start.prepared, points);
-  if (goal == Goal::mesh) stages_->findFace(way, *start.prepared, points);
+  stages_->findPoints(way, start);
+  stages_->weigh(way, *start.prepared);
+  stages_->findFace(way, *start.prepared, goal);
   results.warnings = doubtsOf(scan, *results.evidence, results.face.get(), parameters.face);
   if (goal == Goal::points) return results;
+  results.isFinal = way.precision.solved && (way.precision.face || !cutsParts(parameters.mesh));
   // Shares of the progress: a solid takes most of the time where one is made.
   const double cleaned = parameters.print.form == PrintForm::none ? 1 : 0.85;
   const double chosen = needsCleaning(parameters.mesh) ? 0.9 * cleaned : cleaned;
-  const Key pieces = stages_->findPieces(way, points, 0.95 * chosen);
-  stages_->finishMesh(way, stages_->choose(way, *start.prepared, pieces, chosen), cleaned);
+  stages_->findPieces(way, 0.95 * chosen);
+  stages_->choose(way, *start.prepared, chosen);
+  stages_->finishMesh(way, cleaned);
   return results;
 }
 
@@ -364,20 +349,22 @@ Results Pipeline::preview(const Scan& scan, const Parameters& parameters, Previe
   checkRanges(parameters);
   Results results;
   Run run(progress, {}, results);
-  const Input input = stages_->enhance({scan, parameters, run, results});
+  const Way way{scan, parameters, run, results};
+  results.keys = way.keys;
+  const auto input = stages_->enhance(way);
   const auto halve = [&](Stage<Volume<float>>& memory, const Volume<float>& volume, double until) {
-    return run.stage("coarser voxels", until, memory, input.key,
+    return run.stage("coarser voxels", until, memory, way.keys.enhanced,
                      [&](const Progress& p) { return halveResolution(volume, p); });
   };
   CoarseLevel& coarse = level == Preview::half ? stages_->half : stages_->quarter;
   Scan coarser = scan;
-  coarser.volume = halve(stages_->half.volume, *input.volume, 0.2);
+  coarser.volume = halve(stages_->half.volume, *input, 0.2);
   if (level == Preview::quarter) coarser.volume = halve(stages_->quarter.volume, *coarser.volume, 0.3);
   Parameters adapted = parameters;
   adapted.classification = coarserOptions(
       parameters.classification, coarser.volume->geometry.minSpacing() / scan.volume->geometry.minSpacing());
   adapted.classification.tolerance = kPreviewTolerance;
-  const Key key = preparedKey(input.key, parameters);
+  const Key& key = way.keys.prepared;
   const auto prepared = run.stage("low-pass", 0.5, coarse.prepared, key, [&](const Progress& p) {
     return prepare(coarser, *coarser.volume, adapted, p);
   });

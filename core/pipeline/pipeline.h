@@ -12,6 +12,7 @@
 #include "core/mesh/mesh.h"
 #include "core/pipeline/kept_parts.h"
 #include "core/pipeline/parameters.h"
+#include "core/pipeline/stage_keys.h"
 #include "core/surface/edge_placement.h"
 #include "core/surface/surface_points.h"
 #include "core/volume/scan.h"
@@ -41,7 +42,8 @@ struct Results {
   double isoValue = 0;      // the iso-value used: given, or found from the volume
   IsoRange isoRange;        // what it was found from, and its range from place to place
   double visibleLevel = 0;  // the grey value that views of the volume take for skin
-  bool isFinal = false;     // classified to the tolerance, not only live
+  StageKeys keys;           // of all that the parameters lead to, without short cuts
+  bool isFinal = false;     // the mesh is what Goal::mesh leads to
   std::shared_ptr<const Volume<float>> classified;      // u in [0, 1]
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;

@@ -115,9 +115,33 @@ Json parse(const std::string& text) {
   }
 }
 
+// Runs beyond which a recipe would be longer than what is read.
+constexpr std::size_t kMostRuns = 1'000'000;
+
+Json toJson(const RunLengths& runs) {
+  if (runs.counts.size() > kMostRuns)
+    throw Error(
+        "What is erased is too ragged for a recipe: save it as a volume, and name that with --erase.");
+  return {{"dims", {runs.dims.x, runs.dims.y, runs.dims.z}}, {"counts", runs.counts}};
+}
+
+RunLengths readErased(const Json& json) {
+  std::array<int, 3> dims{};
+  const bool whole = json.is_object() && json.contains("dims") && json.contains("counts") &&
+                     json["counts"].is_array() && json["counts"].size() <= kMostRuns;
+  if (!whole) refuse("\"erased\" must hold \"dims\" and a list of \"counts\"");
+  fromJson(json["dims"], "erased.dims", dims);
+  RunLengths runs{{dims[0], dims[1], dims[2]}, {}};
+  for (const Json& count : json["counts"]) {
+    if (!count.is_number_unsigned()) refuse("erased.counts must hold whole numbers that are not negative");
+    runs.counts.push_back(count.get<std::size_t>());
+  }
+  return runs;
+}
+
 }  // namespace
 
-std::string writeRecipe(const Parameters& parameters, const Key& input) {
+std::string writeRecipe(const Parameters& parameters, const Key& input, const Volume<std::uint8_t>* erased) {
   Json json;
   json["sonoskin"] = kVersion;
   if (input) json["input"] = input.hex();
@@ -129,15 +153,22 @@ std::string writeRecipe(const Parameters& parameters, const Key& input) {
                options);
       },
       parameters);
-  return json.dump(2) + "\n";
+  std::string text = json.dump(2);
+  // The runs stand on one line: there are thousands of them.
+  if (erased) text.insert(text.size() - 2, ",\n  \"erased\": " + toJson(runLengths(*erased)).dump());
+  return text + "\n";
 }
 
-void readRecipe(const std::string& text, Parameters& parameters) {
+RecipeInput readRecipe(const std::string& text, Parameters& parameters) {
   const Json json = parse(text);
   if (!json.is_object()) refuse("it must be a JSON object of parameter groups");
   Parameters read = parameters;
+  RecipeInput input;
   for (const auto& [key, value] : json.items()) {
-    if (key == "sonoskin" || key == "input") continue;
+    if (key == "sonoskin") continue;
+    if (key == "input" && value.is_string()) input.key = value.get<std::string>();
+    if (key == "erased") input.erased = readErased(value);
+    if (key == "input" || key == "erased") continue;
     bool known = false;
     groups(
         [&, k = std::string_view(key), &v = value](const Group& group, auto& options) {
@@ -150,6 +181,7 @@ void readRecipe(const std::string& text, Parameters& parameters) {
   }
   checkRanges(read);
   parameters = read;
+  return input;
 }
 
 }  // namespace sonoskin

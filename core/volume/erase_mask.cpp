@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
+
 namespace sonoskin {
 namespace {
 
@@ -66,6 +68,36 @@ VoxelRuns differences(const Volume<std::uint8_t>& a, const Volume<std::uint8_t>&
   for (std::size_t v = 0; v < a.data.size(); ++v)
     if ((a.data[v] != 0) != (b.data[v] != 0)) append(runs, v);
   return runs;
+}
+
+RunLengths runLengths(const Volume<std::uint8_t>& mask) {
+  RunLengths runs{mask.geometry.dims, {0}};
+  bool marked = false;
+  for (const std::uint8_t v : mask.data) {
+    if ((v != 0) != marked) {
+      marked = !marked;
+      runs.counts.push_back(0);
+    }
+    ++runs.counts.back();
+  }
+  return runs;
+}
+
+Volume<std::uint8_t> fromRunLengths(const RunLengths& runs, const Geometry& geometry) {
+  const glm::ivec3 &a = runs.dims, &b = geometry.dims;
+  require(a == b, "what was erased is of a volume of {} x {} x {} voxels; this one has {} x {} x {}", a.x,
+          a.y, a.z, b.x, b.y, b.z);
+  Volume<std::uint8_t> mask(geometry);
+  std::size_t at = 0;
+  bool marked = false;
+  for (const std::size_t count : runs.counts) {
+    require(count <= mask.data.size() - at, "what was erased holds more voxels than the volume");
+    std::fill_n(mask.data.begin() + std::ptrdiff_t(at), count, std::uint8_t(marked));
+    at += count;
+    marked = !marked;
+  }
+  require(at == mask.data.size(), "what was erased holds fewer voxels than the volume");
+  return mask;
 }
 
 }  // namespace sonoskin

@@ -34,4 +34,15 @@ void toggle(Volume<std::uint8_t>& mask, const VoxelRuns& runs);
 // differences: the voxels that are marked in one of two masks of the same dimensions alone.
 VoxelRuns differences(const Volume<std::uint8_t>& a, const Volume<std::uint8_t>& b);
 
+// RunLengths: a mask as the lengths of its runs in memory order: not marked, marked, not marked, and so on; the first may
+// be 0. The lengths together are the voxels.
+struct RunLengths {
+  glm::ivec3 dims{0};
+  std::vector<std::size_t> counts;
+};
+RunLengths runLengths(const Volume<std::uint8_t>& mask);
+// fromRunLengths: the mask again.
+//   errors  Error: the volume has other dimensions, or the lengths do not fill it
+Volume<std::uint8_t> fromRunLengths(const RunLengths& runs, const Geometry& geometry);
+
 }  // namespace sonoskin

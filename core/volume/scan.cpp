@@ -117,6 +117,32 @@ bool isZero(const Volume<std::uint8_t>& volume) {
 
 }  // namespace
 
+namespace {
+
+bool isGiven(const std::array<double, 3>& spacing) {
+  return std::ranges::all_of(spacing, [](double mm) { return mm > 0; });
+}
+
+glm::dvec3 spacingFrom(const std::array<double, 3>& given) {
+  return isGiven(given) ? glm::dvec3(given[0], given[1], given[2]) : glm::dvec3(1);
+}
+
+}  // namespace
+
+bool isSpaced(const Scan& scan, const std::array<double, 3>& spacing) {
+  return scan.spacingKnown == isGiven(spacing) && scan.volume->geometry.spacing == spacingFrom(spacing);
+}
+
+void setSpacing(Scan& scan, const std::array<double, 3>& given) {
+  scan.spacingKnown = isGiven(given);
+  const glm::dvec3 spacing = spacingFrom(given);
+  if (scan.volume->geometry.spacing == spacing) return;
+  auto volume = std::make_shared<Volume<float>>(*scan.volume);
+  volume->geometry.spacing = spacing;
+  scan.key = scanKey(*volume, scan.beam);
+  scan.volume = std::move(volume);
+}
+
 void setMask(Scan& scan, const Scan& mask) {
   auto inside =
       std::make_shared<Volume<std::uint8_t>>(notZeroInFile(mask, scan.volume->geometry, "mask", 0.5));
@@ -126,11 +152,14 @@ void setMask(Scan& scan, const Scan& mask) {
 }
 
 void setErased(Scan& scan, const Scan& erased) {
-  auto marked = std::make_shared<Volume<std::uint8_t>>(
-      notZeroInFile(erased, scan.volume->geometry, "erased volume", 0));
-  require(!isZero(*marked), "the erased volume is zero everywhere: it must not be zero where nothing counts");
-  scan.erasedKey = Hasher("erased").add(std::span<const std::uint8_t>(marked->data)).key();
-  scan.erased = std::move(marked);
+  Volume<std::uint8_t> marked = notZeroInFile(erased, scan.volume->geometry, "erased volume", 0);
+  require(!isZero(marked), "the erased volume is zero everywhere: it must not be zero where nothing counts");
+  setErased(scan, std::move(marked));
+}
+
+void setErased(Scan& scan, Volume<std::uint8_t> erased) {
+  scan.erasedKey = Hasher("erased").add(std::span<const std::uint8_t>(erased.data)).key();
+  scan.erased = std::make_shared<const Volume<std::uint8_t>>(std::move(erased));
 }
 
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam) {

@@ -62,6 +62,12 @@ Beam beamOf(const Scan& scan, const ScanOptions& options);
 // put both on one axis, the side that was not edited takes the place that the other one left.
 ScanOptions sidesApart(ScanOptions edited, const ScanOptions& before);
 
+// setSpacing: the spacing of a scan whose file gives none; three zeros: it is not known, and 1 mm stands for it.
+//   output  other voxels and another key where the spacing is another one
+void setSpacing(Scan& scan, const std::array<double, 3>& spacing);
+// isSpaced: whether setSpacing() would change nothing.
+bool isSpaced(const Scan& scan, const std::array<double, 3>& spacing);
+
 // setMask: takes another volume as the mask of what was scanned: where it is not zero in its file. A mask on another grid,
 // such as one with an axis turned over, is looked up where the voxels lie in the world.
 //   errors  Error: it lies elsewhere, covers less than half of the volume, or is zero everywhere
@@ -70,6 +76,8 @@ void setMask(Scan& scan, const Scan& mask);
 // setErased: takes another volume as what was erased by hand: where it is not zero in its file.
 //   errors  Error: it lies elsewhere, or is zero everywhere
 void setErased(Scan& scan, const Scan& erased);
+// The same of a volume on the scan's own grid.
+void setErased(Scan& scan, Volume<std::uint8_t> erased);
 
 // scanKey: the fingerprint of geometry, voxels and beam.
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam);

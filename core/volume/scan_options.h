@@ -22,6 +22,7 @@ struct ScanOptions {
   VolumeSide topSide = VolumeSide::iHigh;
   BeamOrigin beamOrigin = BeamOrigin::automatic;
   std::array<double, 3> apex{0, 0, 0};
+  std::array<double, 3> spacing{0, 0, 0};
 };
 
 template <class F, class O>
@@ -37,6 +38,8 @@ void fields(F&& f, O& o) {
     o.beamOrigin);
   f(Field{"apex", "where the beams start if scan.beamOrigin is given; in the world of the volume", "mm"},
     o.apex, Range{-10000.0, 10000.0});
+  f(Field{"spacing", "from voxel to voxel, for files that give no spacing; 0: unknown", "mm"}, o.spacing,
+    Range{0.0, 100.0});
 }
 
 }  // namespace sonoskin

@@ -115,6 +115,33 @@ TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {
   EXPECT_NE(text.out.find("printable  no"), std::string::npos) << text.out;
 }
 
+// A spacing that the file lacks is given by an option, and is in the recipe.
+TEST(RunCommand, TakesTheSpacingThatAFileLacks) {
+  const TempFolder folder;
+  std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\nencoding: raw\n\n";
+  for (int v = 0; v < 40 * 40 * 40; ++v) {
+    const glm::vec3 at(v % 40, v / 40 % 40, v / 1600);
+    bytes += char(glm::length(at - 19.5f) < 12 ? 100 : 10 + v % 3);
+  }
+  const std::string file = folder.write("ball.nrrd", bytes).string();
+  const auto run = [&](const char* out, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"run",    file,     "--out", (folder / out).string(),
+                                       "--json", "--size", "64x64", "--mesh.resolution",
+                                       "50"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = sonoskin(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  const nlohmann::json unknown = run("1", {}), given = run("2", {"--scan.spacing", "0.8,0.8,0.8"}),
+                       again = run("3", {"--recipe", (folder / "2/recipe.json").string()});
+  EXPECT_FALSE(unknown["spacing_known"].get<bool>());
+  EXPECT_TRUE(given["spacing_known"].get<bool>());
+  EXPECT_EQ(given["spacing_mm"], (nlohmann::json{0.8, 0.8, 0.8}));
+  EXPECT_EQ(fileText(folder / "2/mesh.ply"), fileText(folder / "3/mesh.ply"));
+  EXPECT_NE(fileText(folder / "1/mesh.ply"), fileText(folder / "2/mesh.ply"));
+}
+
 TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
   const TempFolder folder;
   const Names first = withSmall({"run", "phantom", "--out", (folder / "1").string(), "--threads", "1"});

@@ -10,6 +10,7 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "tests/app/session_support.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin {
 namespace {
@@ -163,14 +164,57 @@ TEST(Session, TellsWhatCannotBeOpenedAndKeepsWhatItHas) {
   EXPECT_EQ(session.scan().key, key);
 }
 
-TEST(Session, SpacingCanBeSet) {
+// A ball in a file that does not say how large its voxels are.
+fs::path fileWithoutSpacing(const test::TempFolder& folder, const char* name) {
+  std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 24 24 24\nencoding: raw\n\n";
+  for (int v = 0; v < 24 * 24 * 24; ++v) {
+    const glm::vec3 at(v % 24, v / 24 % 24, v / 576);
+    bytes += char(glm::length(at - 11.5f) < 7 ? 100 : 10 + v % 3);
+  }
+  return folder.write(name, bytes);
+}
+
+void setSpacing(Session& session, const std::array<double, 3>& spacing) {
+  Parameters parameters = session.parameters();
+  parameters.scan.spacing = spacing;
+  session.edit(parameters);
+  session.commitEdit();
+}
+
+TEST(Session, SpacingIsAParameterWhereTheFileGivesNone) {
+  const test::TempFolder folder;
   Session session(tinyPhantom());
-  session.openPhantom();
+  session.openFile(fileWithoutSpacing(folder, "a.nrrd"));
   ASSERT_TRUE(wait(session));
-  session.setSpacing({0.5, 0.6, 0.7});
+  EXPECT_FALSE(session.givesSpacing() || session.scan().spacingKnown);
+  setSpacing(session, {0.5, 0.6, 0.7});
   ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.scan().volume->geometry.spacing, glm::dvec3(0.5, 0.6, 0.7));
   EXPECT_EQ(session.results().classified->geometry.spacing, glm::dvec3(0.5, 0.6, 0.7));
+  EXPECT_TRUE(session.scan().spacingKnown);
+  session.undo();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.scan().volume->geometry.spacing, glm::dvec3(1));
+  EXPECT_FALSE(session.scan().spacingKnown);
+  session.redo();
+  ASSERT_TRUE(wait(session));
+
+  // What was typed for one file is not the next one's.
+  session.openFile(fileWithoutSpacing(folder, "b.nrrd"));
+  ASSERT_TRUE(wait(session));
+  EXPECT_FALSE(session.scan().spacingKnown);
+  EXPECT_EQ(session.parameters().scan.spacing, ScanOptions().spacing);
+}
+
+TEST(Session, AFileThatGivesItsSpacingKeepsIt) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  const glm::dvec3 spacing = session.scan().volume->geometry.spacing;
+  setSpacing(session, {0.5, 0.6, 0.7});
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.givesSpacing());
+  EXPECT_EQ(session.scan().volume->geometry.spacing, spacing);
 }
 
 }  // namespace

@@ -205,5 +205,85 @@ TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
   fs::remove(file);
 }
 
+TEST(Session, ItsStateFollowsWhatIsDone) {
+  using enum DocumentState;
+  Parameters small = tinyPhantom();
+  small.mesh.resolution = 60;
+  small.surface.minClusterArea = 20;
+  Session session(small);
+  EXPECT_EQ(session.state(), empty);
+  session.openPhantom();
+  EXPECT_EQ(session.state(), opening);
+  session.cancel();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), empty) << "a cancelled opening leaves nothing";
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), noSurface);
+  session.reconstruct();
+  EXPECT_EQ(session.state(), working);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), current);
+
+  Parameters p = session.parameters();
+  p.classification.gamma *= 2;
+  session.edit(p);
+  EXPECT_EQ(session.state(), working);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), live);
+  session.followParameters(false);
+  p.classification.gamma *= 1.5;
+  session.edit(p);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), older);
+
+  p.region.cutLow = {0, 70, 0};  // nothing is left
+  session.edit(p);
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), failed);
+  p.region.cutLow = {0, 0, 0};
+  session.edit(p);
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), current);
+}
+
+// What the person stopped can be taken up again, and does not pass for done.
+TEST(Session, GoesOnWhereItWasStopped) {
+  Session session(tinyPhantom());
+  session.openPhantom();
+  const Timer timer;
+  while (!session.hasScan() && timer.seconds() < 60) session.poll();
+  session.cancel();  // the classification of what was opened
+  ASSERT_TRUE(wait(session));
+  ASSERT_EQ(session.state(), DocumentState::stopped);
+  EXPECT_FALSE(session.results().points);
+  session.resume();
+  EXPECT_EQ(session.state(), DocumentState::working);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.state(), DocumentState::noSurface);
+  EXPECT_FALSE(session.classifiedIsCoarse());
+  EXPECT_TRUE(session.results().points);
+}
+
+// Parameters that a surface depends on only by way of another group.
+TEST(Session, AMeshOfTheGlobalFunctionIsOlderThanItsParameters) {
+  Parameters small = tinyPhantom();
+  small.mesh.resolution = 40;
+  small.surface.minClusterArea = 20;
+  small.reconstruction.method = ReconstructionMethod::global;
+  Session session(small);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.meshIsCurrent());
+  Parameters p = session.parameters();
+  p.global.accuracy *= 2;
+  session.edit(p);
+  EXPECT_FALSE(session.meshIsCurrent());
+}
+
 }  // namespace
 }  // namespace sonoskin

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <thread>
 
+#include "core/base/timer.h"
+
 #include "app/history.h"
 #include "core/base/error.h"
 
@@ -96,6 +98,18 @@ TEST(History, UndoAndRedo) {
   EXPECT_FALSE(history.canRedo()) << "a new step forgets what was undone";
   history.undo();
   EXPECT_EQ(history.current(), 1);
+}
+
+// Cancelled before the thread took it up: nothing is left to wait for.
+TEST(Worker, RestsAfterWhatItHadNotBegunIsCancelled) {
+  for (int i = 0; i < 200; ++i) {
+    Worker worker;
+    worker.append({"work", [](const Progress&) {}, {}});
+    worker.cancel();
+    const Timer timer;
+    while (worker.status().busy && timer.seconds() < 10) std::this_thread::yield();
+    ASSERT_FALSE(worker.status().busy);
+  }
 }
 
 }  // namespace

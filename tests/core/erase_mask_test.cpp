@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "tests/support/test_volumes.h"
 #include "tests/support/volumes.h"
 
@@ -100,6 +101,27 @@ TEST(EraseMask, DifferencesLeadFromOneMaskToTheOther) {
   toggle(changed, differences(a, b));
   EXPECT_TRUE(differences(changed, b).empty());
   EXPECT_FALSE(differences(changed, a).empty());
+}
+
+TEST(EraseMask, RunLengthsAreTheMask) {
+  const Geometry g = turnedGrid();
+  for (const bool marksFirst : {false, true}) {
+    Volume<std::uint8_t> mask(g);
+    for (std::size_t v = 0; v < mask.data.size(); ++v) mask.data[v] = (v * v) % 7 < 3;
+    mask.data.front() = marksFirst;
+    const RunLengths runs = runLengths(mask);
+    EXPECT_EQ(runs.counts.front() == 0, marksFirst);
+    EXPECT_EQ(fromRunLengths(runs, g).data, mask.data);
+  }
+  EXPECT_EQ(runLengths(Volume<std::uint8_t>(g)).counts, std::vector<std::size_t>{g.voxels()});
+}
+
+TEST(EraseMask, RunLengthsOfOtherVolumesAreRefused) {
+  const Geometry g = turnedGrid();
+  EXPECT_THROW(fromRunLengths({g.dims + 1, {g.voxels()}}, g), Error);
+  EXPECT_THROW(fromRunLengths({g.dims, {g.voxels() - 1}}, g), Error);
+  EXPECT_THROW(fromRunLengths({g.dims, {1, g.voxels()}}, g), Error);
+  EXPECT_THROW(fromRunLengths({g.dims, {1, ~std::size_t(0)}}, g), Error);
 }
 
 }  // namespace

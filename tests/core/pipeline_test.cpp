@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -282,6 +283,22 @@ TEST_F(PipelineTest, PreviewOfTheSkewSystemIsItsClosedForm) {
   const Results skew = pipeline.preview(scan, parameters, Preview::half);
   parameters.classification.formulation = Formulation::thesisClosed;
   EXPECT_EQ(skew.classified->data, pipeline.preview(scan, parameters, Preview::half).classified->data);
+}
+
+// What a slider's answer left out, the face, is not what a mesh that is asked for later is made from.
+TEST_F(PipelineTest, ASurfaceBeforeTheMeshDoesNotChangeIt) {
+  pipeline.run(scan, parameters, Goal::mesh);
+  parameters.surface.minClusterArea *= 2;  // the classification stays the final one
+  const Results live = pipeline.run(scan, parameters, Goal::surface);
+  EXPECT_FALSE(live.face);
+  EXPECT_FALSE(live.isFinal);
+  const Results later = pipeline.run(scan, parameters, Goal::mesh);
+  EXPECT_TRUE(later.face && later.isFinal);
+  const std::vector<std::string> stages = computed(later);
+  EXPECT_EQ(std::ranges::count(stages, "piece"), 1) << "it was chosen without a face before";
+  const Results again = pipeline.run(scan, parameters, Goal::surface);
+  EXPECT_TRUE(again.isFinal);
+  EXPECT_EQ(again.mesh, later.mesh);
 }
 
 }  // namespace

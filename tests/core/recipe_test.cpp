@@ -87,6 +87,38 @@ TEST(Recipe, RefusesWhatItDoesNotKnowByName) {
   EXPECT_NE(complaint(R"({"reconstruction": {"fitWeights": 1}})").find("true or false"), std::string::npos);
 }
 
+TEST(Recipe, HoldsWhatWasErasedOfItsInput) {
+  Geometry g;
+  g.dims = {7, 5, 3};
+  Volume<std::uint8_t> mask(g);
+  for (const int v : {3, 4, 5, 50, 104}) mask.data[std::size_t(v)] = 1;
+  const Key key = Hasher("scan").key();
+  const std::string text = writeRecipe({}, key, &mask);
+  Parameters parameters;
+  const RecipeInput input = readRecipe(text, parameters);
+  EXPECT_EQ(input.key, key.hex());
+  EXPECT_EQ(fromRunLengths(input.erased, g).data, mask.data);
+  EXPECT_NE(text.find("\"erased\": {\"dims\":[7,5,3],\"counts\":[3,3,"), std::string::npos) << text;
+  EXPECT_TRUE(readRecipe(writeRecipe({}), parameters).erased.counts.empty());
+}
+
+TEST(Recipe, RefusesErasedPartsThatAreNone) {
+  for (const char* erased :
+       {"3", "{}", R"({"dims": [1, 2, 3]})", R"({"dims": [1, 2], "counts": []})",
+        R"({"dims": [1, 2, 3], "counts": [-1]})", R"({"dims": [1, 2, 3], "counts": [1.5]})",
+        R"({"dims": [1, 2, 3], "counts": {"a": 1}})"})
+    EXPECT_NE(complaint(fmt::format(R"({{"erased": {}}})", erased)).find("erased"), std::string::npos)
+        << erased;
+}
+
+TEST(Recipe, IsNotWrittenWithMoreRunsThanIsRead) {
+  Geometry g;
+  g.dims = {128, 128, 128};
+  Volume<std::uint8_t> noise(g);
+  for (std::size_t v = 0; v < noise.data.size(); ++v) noise.data[v] = v % 2;
+  EXPECT_THROW(writeRecipe({}, {}, &noise), Error);
+}
+
 // Whatever a file holds: one short line, no wrapped number, nothing that a terminal would obey.
 TEST(Recipe, RefusesWhatJsonAllowsAndWeDoNot) {
   EXPECT_NE(complaint(R"({"mesh": {"minArea": 1e999}})").find("too large"), std::string::npos);

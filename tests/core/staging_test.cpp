@@ -101,10 +101,30 @@ TEST(Staging, LeavesPlantedLinksAlone) {
   const TempFolder folder;
   const TempFolder elsewhere;
   elsewhere.write("precious.txt", "x");
-  fs::create_directory_symlink(elsewhere.path(), folder / ".sonoskin-1-0-");
+  fs::create_directory_symlink(elsewhere.path(), folder / ".sonoskin-0123456789abcdef0123456789abcdef");
   writeBytes(folder / "a.txt", "x", 1);
   EXPECT_TRUE(fs::exists(elsewhere / "precious.txt"));
-  EXPECT_TRUE(fs::is_symlink(folder / ".sonoskin-1-0-"));
+  EXPECT_TRUE(fs::is_symlink(folder / ".sonoskin-0123456789abcdef0123456789abcdef"));
+}
+
+// A folder of that name that was copied or unpacked here with a list in it: its list is not followed. What only begins with
+// the same letters is nobody's business.
+TEST(Staging, FollowsNoListThatIsNotItsOwn) {
+  const TempFolder folder;
+  folder.write("precious.txt", "x");
+  folder.write("mesh.ply", "good");
+  const fs::path planted = folder / ".sonoskin-0123456789abcdef0123456789abcdef",
+                 notes = folder / ".sonoskin-notes";
+  for (const fs::path& made : {planted, notes}) {
+    fs::create_directory(made);
+    put(made / "mesh.ply", "evil");
+    put(made / ".sonoskin-publish",
+        made == planted ? "12\n-precious.txt\n+mesh.ply\n" : "-precious.txt\n+mesh.ply\n");
+  }
+  writeBytes(folder / "a.txt", "x", 1);
+  EXPECT_TRUE(fs::exists(folder / "precious.txt"));
+  EXPECT_EQ(fileText(folder / "mesh.ply"), "good");
+  EXPECT_EQ(fileText(notes / "mesh.ply"), "evil");
 }
 
 // Killed at fifty moments of publishing sets one after the other, the next start finds one set or the other, never a

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""check_layers.py [ROOT]: which file may include which, as core/README.md draws it, and how long a file may be."""
+"""check_layers.py [ROOT]: which file may include which, as core/README.md draws it, how long a file may be, and that the
+repository holds nothing beside what it is made of: results of a trial are no part of it, and may show a patient."""
 import pathlib
 import re
+import subprocess
 import sys
 
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__ + "/../../..").resolve()
@@ -14,6 +16,7 @@ LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
              (re.compile(r"glad/|GL/|EGL/"), re.compile(r"render/")),
              (re.compile(r"imgui|GLFW/"), re.compile(r"app/"))]
 LONGEST = 400
+FOLDERS = {".ci", "app", "assets", "cmake", "core", "render", "shaders", "tests"}
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -37,8 +40,14 @@ def faults(name, lines):
                 yield f"{where}: only {home.pattern} may see this library"
 
 
+def strangers():
+    listed = subprocess.run(["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True)  # nothing outside of git
+    for folder in sorted({name.split("/")[0] for name in listed.stdout.splitlines() if "/" in name} - FOLDERS):
+        yield f"{folder}: not a folder of the repository (FOLDERS in {pathlib.Path(__file__).name})"
+
+
 def main():
-    found = []
+    found = list(strangers())
     for layer in LAYERS:
         for path in sorted((ROOT / layer).rglob("*")):
             if path.suffix in (".h", ".cpp"):
