@@ -1,6 +1,7 @@
 #include "app/batch.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <new>
@@ -14,6 +15,7 @@
 #include "core/base/timer.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 #include "core/io/mesh_encoders.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
@@ -171,7 +173,7 @@ void writeSurfaces(BatchRun& run, const Results& results, const Progress& progre
 void writeBaked(BatchRun& run, const Progress& progress) {
   if (!run.baked) return;
   for (const std::string& format : run.options.meshFormats) {
-    if (format != "glb" && format != "obj") continue;
+    if (!formatNamed(FileKind::texturedMesh, "skin." + format)) continue;
     const std::vector<std::string> files =
         writeTexturedMesh(run.folder.file("skin." + format), *run.baked, progress);
     run.report.files.insert(run.report.files.end(), files.begin(), files.end());
@@ -202,8 +204,9 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
 // a report says.
 std::vector<std::string> obsoleteFiles(const BatchRun& run) {
   static const std::regex kOurs(
-      R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.(ply|stl|obj|mtl|glb|3mf)|skin_\w+\.png|)"
-      R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)");
+      fmt::format(R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.({}|mtl)|skin_\w+\.png|)"
+                  R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)",
+                  fmt::join(extensionWords(FileKind::writtenMesh), "|")));
   std::vector<std::string> obsolete;
   nlohmann::json earlier;
   try {

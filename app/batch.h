@@ -27,7 +27,7 @@ struct BatchOptions {
   std::filesystem::path folder;
   std::string inputName{};
   Parameters parameters;
-  std::vector<std::string> meshFormats{"ply"};  // without dots: ply, stl, obj, glb, 3mf
+  std::vector<std::string> meshFormats{"ply"};  // without dots
   bool keepClassified = false, keepThinned = false, keepPoints = false;
   glm::ivec2 pictureSize{1280, 960};
   bool turnsFormat = true;  // pictures of what is taller than wide are upright, of the same size

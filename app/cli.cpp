@@ -19,6 +19,7 @@
 #include "app/window.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/file_formats.h"
 #include "core/io/reader_process.h"
 
 namespace sonoskin {
@@ -61,7 +62,10 @@ int parseAndRun(int argc, char** argv) {
       "sonoskin");
   program.set_version_flag("--version", std::string("sonoskin ") + kVersion);
   program.get_formatter()->column_width(46);
-  program.footer("Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cancelled, 1 anything else.");
+  program.footer(
+      fmt::format("Volumes: {}.\nMeshes: {}.\n"
+                  "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cancelled, 1 anything else.",
+                  formatList(FileKind::readVolume), formatList(FileKind::readMesh)));
 
   std::string file;
   ParameterOptions parameters;

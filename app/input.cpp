@@ -1,12 +1,11 @@
 #include "app/input.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <vector>
 
 #include "core/base/log.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/file_formats.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
@@ -50,11 +49,7 @@ std::string inputName(const std::string& input) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
-bool isMeshFile(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return std::ranges::count(meshExtensions(), extension) > 0;
-}
+bool isMeshFile(const std::string& file) { return formatNamed(FileKind::readMesh, file).has_value(); }
 
 Box boxAround(const Mesh& mesh) {
   constexpr float kMargin = 1.5f;  // mm; the grey of an echo begins a little above the surface found in it

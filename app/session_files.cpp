@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
@@ -71,7 +72,7 @@ void Session::loadRecipe(const fs::path& path) {
 }
 
 void Session::loadErased(const fs::path& path) {
-  require(hasScan(), "open the volume first, then what was erased of it");
+  require(hasScan(), "There is no volume to erase from; open it first.");
   const auto read = std::make_shared<Scan>(scan_);
   opener_.replace({"Opening " + path.filename().string(),
                    [read, path](const Progress& progress) { setErased(*read, readMarks(path, progress)); },
@@ -83,7 +84,7 @@ void Session::loadErased(const fs::path& path) {
 }
 
 void Session::saveErased(const fs::path& path) {
-  require(erased_.voxels() > 0, "nothing is erased, so there is nothing to save");
+  require(erased_.voxels() > 0, "Nothing is erased that could be saved; erase something first.");
   saveAlone(
       path,
       [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
@@ -163,7 +164,7 @@ void Session::warnOfMesh() {
 }
 
 void Session::saveMesh(const fs::path& path) {
-  require(results_.mesh != nullptr, "there is no surface to save yet; reconstruct it first");
+  require(results_.mesh != nullptr, "There is no surface to save yet; reconstruct it first.");
   warnOfMesh();
   save(
       path, recipeOfMesh(made_.parameters),
@@ -172,7 +173,8 @@ void Session::saveMesh(const fs::path& path) {
 }
 
 void Session::savePrint(const fs::path& path) {
-  require(results_.mesh != nullptr, "there is no surface to print yet; reconstruct it first");
+  require(results_.mesh != nullptr, "There is no surface to print yet; reconstruct it first.");
+  requireFormat(FileKind::printedMesh, path);
   warnOfMesh();
   Parameters parameters = made_.parameters;
   parameters.print = parameters_.print;

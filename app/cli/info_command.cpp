@@ -6,12 +6,19 @@
 #include "app/cli/commands.h"
 #include "app/input.h"
 #include "app/mesh_text.h"
+#include "core/base/error.h"
+#include "core/io/file_formats.h"
 #include "core/io/mesh_reader.h"
 #include "core/io/volume_reader.h"
 #include "core/mesh/mesh_doubts.h"
 
 namespace sonoskin {
 namespace {
+
+struct InfoOptions {
+  std::string file;
+  bool formats = false;
+};
 
 nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -79,20 +86,31 @@ void printVolume(const std::string& file, Console& console) {
   console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }
 
+void info(const InfoOptions& options, Console& console) {
+  if (options.file.empty() != options.formats)
+    throw Error("info needs either a FILE or --formats; see sonoskin info --help.", Error::Kind::usage);
+  if (options.formats)
+    console.print(nlohmann::ordered_json{{"formats", formatTable()}}.dump(2), formatTable());
+  else if (isMeshFile(options.file))
+    printMesh(options.file, console);
+  else
+    printVolume(options.file, console);
+}
+
 }  // namespace
 
 Command addInfoCommand(CLI::App& program, Console& console) {
-  auto file = std::make_shared<std::string>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand(
       "info", "what is in a volume file, without patient data; of a mesh whether it can be printed");
-  command->add_option("FILE", *file, "volume or mesh file, or a folder of DICOM files")
-      ->required()
+  command->add_option("FILE", options->file, "volume or mesh file, or a folder of DICOM files")
       ->type_name("");
+  command->add_flag("--formats", options->formats,
+                    "a table of the formats instead: their endings and what they keep");
   console.addThreads(*command);
   console.addJson(*command);
   console.addNameInput(*command);
-  return {command,
-          [file, &console] { isMeshFile(*file) ? printMesh(*file, console) : printVolume(*file, console); }};
+  return {command, [options, &console] { info(*options, console); }};
 }
 
 }  // namespace sonoskin

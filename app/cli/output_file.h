@@ -1,14 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
+
+#include "core/io/file_formats.h"
 
 namespace sonoskin {
 
-// checkOutputFile: refuses, before any work, a name that could not be written at its end: an extension that
-// is not in the list, a folder that does not exist, a name that is a folder.
+// checkOutputFile: refuses, before any work, a name that could not be written at its end: an ending
+// that is none of the kind's, a folder that does not exist, a name that is a folder.
 //   errors  Error (usage)
-void checkOutputFile(const std::filesystem::path& file, const std::vector<std::string>& extensions);
+void checkOutputFile(const std::filesystem::path& file, FileKind kind);
 
 }  // namespace sonoskin

@@ -21,8 +21,8 @@ struct PhantomCommandOptions {
 };
 
 void phantom(const PhantomCommandOptions& options, Console& console) {
-  checkOutputFile(options.out, volumeExtensions());
-  if (!options.truth.empty()) checkOutputFile(options.truth, meshExtensions());
+  checkOutputFile(options.out, FileKind::writtenVolume);
+  if (!options.truth.empty()) checkOutputFile(options.truth, FileKind::writtenMesh);
   const PhantomOptions phantom = options.parameters.resolve().phantom;
   const double scanShare = options.truth.empty() ? 0.9 : 0.6;
 
@@ -63,12 +63,15 @@ void phantom(const PhantomCommandOptions& options, Console& console) {
 Command addPhantomCommand(CLI::App& program, Console& console) {
   auto options = std::make_shared<PhantomCommandOptions>();
   CLI::App* command = program.add_subcommand("phantom", "simulate the scan of a sleeping newborn");
-  command->add_option("--out", options->out, "volume to write: .nrrd, .mha, .nii.gz, .vtk")
+  command
+      ->add_option("--out", options->out,
+                   fmt::format("volume to write: {}", extensionList(FileKind::writtenVolume)))
       ->required()
       ->type_name("FILE");
   command
       ->add_option("--truth", options->truth,
-                   "mesh of the true skin to write, with what the probe sees: .ply")
+                   fmt::format("mesh of the true skin to write: {}; of these .ply keeps what the probe sees",
+                               extensionList(FileKind::writtenMesh)))
       ->type_name("FILE");
   options->parameters.addOne(*command, "dims", "phantom.dims");
   options->parameters.addOne(*command, "scene", "phantom.scene");

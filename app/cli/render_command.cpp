@@ -14,6 +14,7 @@
 #include "app/input.h"
 #include "core/base/error.h"
 #include "core/base/timer.h"
+#include "core/io/file_formats.h"
 #include "core/io/image.h"
 #include "core/io/mesh_reader.h"
 #include "core/mesh/mesh_doubts.h"
@@ -155,7 +156,10 @@ Command addRenderCommand(CLI::App& program, Console& console) {
   command->add_option("FILE", options->files.volume, "volume or mesh file, or \"phantom\"")
       ->required()
       ->type_name("");
-  command->add_option("--out", options->out, "picture to write: .png; with --bake a surface: .glb, .obj")
+  command
+      ->add_option("--out", options->out,
+                   fmt::format("picture to write: {}; with --bake a surface: {}",
+                               extensionList(FileKind::picture), extensionList(FileKind::texturedMesh)))
       ->required()
       ->type_name("FILE");
   addMaskOptions(*command, options->files);

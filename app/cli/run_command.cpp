@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -9,6 +12,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/skin_options.h"
 #include "core/base/error.h"
+#include "core/io/file_formats.h"
 
 namespace sonoskin {
 namespace {
@@ -22,10 +26,13 @@ struct RunOptions {
 void run(RunOptions& options, Console& console) {
   BatchOptions& batch = options.batch;
   batch.parameters = options.parameters.resolve(batch.input.recipe);
-  const bool canBake = std::ranges::any_of(
-      batch.meshFormats, [](const std::string& format) { return format == "glb" || format == "obj"; });
+  const bool canBake = std::ranges::any_of(batch.meshFormats, [](const std::string& format) {
+    return formatNamed(FileKind::texturedMesh, "mesh." + format).has_value();
+  });
   if (batch.bake != Bake::none && !canBake)
-    throw Error("--bake: --export must name glb or obj, which can hold pictures", Error::Kind::usage);
+    throw Error(fmt::format("--bake needs a format that holds pictures; let --export name {}.",
+                            fmt::join(extensionWords(FileKind::texturedMesh), " or ")),
+                Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
   batch.inputName = console.nameOf(batch.input.volume);
   batch.keepClassified = keeps("classified");
@@ -51,7 +58,7 @@ Command addRunCommand(CLI::App& program, Console& console) {
       ->required()
       ->type_name("DIR");
   addMaskOptions(*command, batch.input);
-  addChoices(*command, "--export", batch.meshFormats, {"ply", "stl", "obj", "glb", "3mf"},
+  addChoices(*command, "--export", batch.meshFormats, extensionWords(FileKind::writtenMesh),
              "formats of the mesh, with commas");
   addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},
              "results on the way to write too, with commas");

@@ -6,7 +6,6 @@
 
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
-#include "core/io/textured_mesh_writer.h"
 
 namespace sonoskin {
 namespace {
@@ -74,8 +73,7 @@ void checkSkinOptions(const SkinRenderOptions& options, const std::string& view,
   onlyFor(options.look.reference, "--reference");
   onlyFor(options.look.quality.ownCoordinates, "--own-coordinates");
   onlyFor(options.bake != Bake::none, "--bake");
-  checkOutputFile(out,
-                  options.bake == Bake::none ? std::vector<std::string>{".png"} : texturedMeshExtensions());
+  checkOutputFile(out, options.bake == Bake::none ? FileKind::picture : FileKind::texturedMesh);
 }
 
 }  // namespace sonoskin

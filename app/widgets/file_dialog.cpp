@@ -85,34 +85,6 @@ bool drawEntries(FileDialog& dialog) {
   return done;
 }
 
-// The chosen file, or nothing and a complaint.
-std::optional<fs::path> accept(FileDialog& dialog) {
-  const FilePurposeText text = purposeText(*dialog.purpose);
-  std::error_code error;
-  if (dialog.name.empty()) {
-    dialog.complaint = "Choose a file or type its name.";
-    return {};
-  }
-  fs::path path = fs::path(dialog.name).is_absolute() ? fs::path(dialog.name) : dialog.folder / dialog.name;
-  if (fs::is_directory(path, error)) {
-    dialog.name.clear();
-    dialog.enter(path);
-    return {};
-  }
-  if (text.save && !hasEnding(path.string(), text.endings)) path += text.endings.front();
-  const bool exists = fs::exists(path, error);
-  if (!text.save && !exists) {
-    dialog.complaint = "There is no such file.";
-    return {};
-  }
-  if (text.save && exists && !dialog.replaceAsked) {
-    dialog.replaceAsked = true;
-    dialog.complaint = path.filename().string() + " is there already. Press Replace to write over it.";
-    return {};
-  }
-  return path;
-}
-
 // The line with the name and the buttons; true when the person wants the file.
 bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
   ImGui::PushTextWrapPos();

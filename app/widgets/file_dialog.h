@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
+
+#include "core/io/file_formats.h"
 
 namespace sonoskin::ui {
 
@@ -22,12 +23,12 @@ enum class FilePurpose {
   savePicture
 };
 
-// FilePurposeText: how the dialog looks for a purpose; endings in small letters, the first is the default.
+// FilePurposeText: how the dialog looks for a purpose, and which files it lists and writes.
 struct FilePurposeText {
   const char* title;
   const char* button;
   bool save;
-  std::span<const char* const> endings;
+  FileKind kind;
 };
 FilePurposeText purposeText(FilePurpose purpose);
 
@@ -44,13 +45,10 @@ struct FileEntry {
   std::uintmax_t bytes = 0;
 };
 
-// listFolder: folders first, then the files whose ending is one of `endings` (none: all), each by name;
-// hidden ones left out.
+// listFolder: folders first, then the files whose ending is one of a kind's (none: all), each by name; hidden ones left
+// out.
 //   errors  std::filesystem::filesystem_error: the folder cannot be read
-std::vector<FileEntry> listFolder(const std::filesystem::path& folder, std::span<const char* const> endings);
-
-// hasEnding: whether a file name ends in one of `endings`, in capitals or not.
-bool hasEnding(const std::string& name, std::span<const char* const> endings);
+std::vector<FileEntry> listFolder(const std::filesystem::path& folder, std::optional<FileKind> kind);
 
 // FileDialog: asks for a file, in the window itself.
 struct FileDialog {
@@ -67,6 +65,10 @@ struct FileDialog {
   void ask(FilePurpose purpose, const std::filesystem::path& folder, const std::string& name);
   void enter(const std::filesystem::path& folder);
 };
+
+// accept: the file of the name that stands in the dialog; or nothing, and what is wrong with it as a complaint. A name
+// without an ending gets the usual one; one with another format's is refused.
+std::optional<std::filesystem::path> accept(FileDialog& dialog);
 
 // drawFileDialog: draws it where it is open; gives the choice in the frame in which it is made.
 std::optional<FileChoice> drawFileDialog(FileDialog& dialog);

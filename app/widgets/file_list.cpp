@@ -1,22 +1,13 @@
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "app/widgets/file_dialog.h"
+#include "core/base/error.h"
 
 namespace sonoskin::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<const char*, 10> kVolumes{".nrrd",   ".nhdr", ".mha", ".mhd", ".nii",
-                                               ".nii.gz", ".vtk",  ".dcm", ".vol", ".dat"};
-constexpr std::array<const char*, 3> kWrittenVolumes{".nrrd", ".mha", ".nii.gz"};
-constexpr std::array<const char*, 5> kMeshes{".ply", ".stl", ".obj", ".glb", ".3mf"};
-constexpr std::array<const char*, 2> kPrints{".stl", ".3mf"};
-constexpr std::array<const char*, 2> kTextured{".glb", ".obj"};
-constexpr std::array<const char*, 1> kPictures{".png"};
-constexpr std::array<const char*, 1> kRecipes{".json"};
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -28,36 +19,30 @@ std::string lower(std::string text) {
 FilePurposeText purposeText(FilePurpose purpose) {
   switch (purpose) {
     case FilePurpose::openVolume:
-      return {"Open volume", "Open", false, kVolumes};
+      return {"Open volume", "Open", false, FileKind::readVolume};
     case FilePurpose::openErased:
-      return {"Open erased parts", "Open", false, kVolumes};
+      return {"Open erased parts", "Open", false, FileKind::readVolume};
     case FilePurpose::saveErased:
-      return {"Save erased parts", "Save", true, kWrittenVolumes};
+      return {"Save erased parts", "Save", true, FileKind::writtenVolume};
     case FilePurpose::openRecipe:
-      return {"Open recipe", "Open", false, kRecipes};
+      return {"Open recipe", "Open", false, FileKind::recipe};
     case FilePurpose::saveRecipe:
-      return {"Save recipe", "Save", true, kRecipes};
+      return {"Save recipe", "Save", true, FileKind::recipe};
     case FilePurpose::saveMesh:
-      return {"Save mesh", "Save", true, kMeshes};
+      return {"Save mesh", "Save", true, FileKind::writtenMesh};
     case FilePurpose::savePrint:
-      return {"Save for printing", "Save", true, kPrints};
+      return {"Save for printing", "Save", true, FileKind::printedMesh};
     case FilePurpose::saveSkin:
-      return {"Save surface with skin", "Save", true, kTextured};
+      return {"Save surface with skin", "Save", true, FileKind::texturedMesh};
     case FilePurpose::saveLitSkin:
-      return {"Save surface with skin and light", "Save", true, kTextured};
+      return {"Save surface with skin and light", "Save", true, FileKind::texturedMesh};
     case FilePurpose::savePicture:
-      return {"Save picture of the 3D view", "Save", true, kPictures};
+      return {"Save picture of the 3D view", "Save", true, FileKind::picture};
   }
   return {};
 }
 
-bool hasEnding(const std::string& name, std::span<const char* const> endings) {
-  const std::string small = lower(name);
-  return std::any_of(endings.begin(), endings.end(),
-                     [&](const char* ending) { return small.ends_with(ending); });
-}
-
-std::vector<FileEntry> listFolder(const fs::path& folder, std::span<const char* const> endings) {
+std::vector<FileEntry> listFolder(const fs::path& folder, std::optional<FileKind> kind) {
   std::vector<FileEntry> entries;
   for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
     std::error_code error;
@@ -65,7 +50,7 @@ std::vector<FileEntry> listFolder(const fs::path& folder, std::span<const char* 
     if (name.starts_with('.')) continue;
     if (file.is_directory(error)) {
       entries.push_back({name, true, 0});
-    } else if (file.is_regular_file(error) && (endings.empty() || hasEnding(name, endings))) {
+    } else if (file.is_regular_file(error) && (!kind || formatNamed(*kind, name))) {
       const std::uintmax_t bytes = file.file_size(error);
       entries.push_back({name, false, error ? 0 : bytes});
     }
@@ -91,12 +76,51 @@ void FileDialog::enter(const fs::path& wanted) {
   complaint.clear();
   try {
     const fs::path full = fs::canonical(wanted);
-    const auto endings = purposeText(*purpose).endings;
-    entries = listFolder(full, allFiles ? std::span<const char* const>() : endings);
+    entries = listFolder(full, allFiles ? std::nullopt : std::optional(purposeText(*purpose).kind));
     folder = full;
   } catch (const fs::filesystem_error&) {
     complaint = "This folder cannot be read: " + wanted.string();
   }
+}
+
+namespace {
+
+// The name with the usual ending where it has none.
+//   errors  Error: it has another one
+fs::path withEnding(fs::path path, FileKind kind) {
+  if (!path.has_extension()) path += extensionsOf(kind).front();
+  requireFormat(kind, path);
+  return path;
+}
+
+}  // namespace
+
+std::optional<fs::path> accept(FileDialog& dialog) {
+  const FilePurposeText text = purposeText(*dialog.purpose);
+  const auto complain = [&](const std::string& sentence) {
+    dialog.complaint = sentence;
+    return std::nullopt;
+  };
+  std::error_code error;
+  if (dialog.name.empty()) return complain("Choose a file or type its name.");
+  fs::path path = dialog.folder / dialog.name;  // a whole path stays what it is
+  if (fs::is_directory(path, error)) {
+    dialog.name.clear();
+    dialog.enter(path);
+    return {};
+  }
+  try {
+    if (text.save) path = withEnding(path, text.kind);
+  } catch (const Error& wrong) {
+    return complain(wrong.what());
+  }
+  const bool exists = fs::exists(path, error);
+  if (!text.save && !exists) return complain("There is no file of that name here; choose one of the list.");
+  if (text.save && exists && !dialog.replaceAsked) {
+    dialog.replaceAsked = true;
+    return complain(path.filename().string() + " is there already; press Replace to write over it.");
+  }
+  return path;
 }
 
 }  // namespace sonoskin::ui

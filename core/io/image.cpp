@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 
 namespace sonoskin {
 namespace {
@@ -36,6 +37,7 @@ std::vector<std::uint8_t> encodePng(const Image& image) {
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
+  requireFormat(FileKind::picture, path);
   const std::vector<std::uint8_t> png = encodePng(image);
   writeBytes(path, png.data(), png.size());
 }

@@ -18,24 +18,18 @@ namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-itk::ImageIOBase::Pointer makeIo(VolumeFormat format) {
+itk::ImageIOBase::Pointer makeIo(FileFormat format) {
   itk::Object::GlobalWarningDisplayOff();  // warnings may quote the file, and would go to the terminal
   switch (format) {
-    case VolumeFormat::nrrd:
+    case FileFormat::nrrd:
       return itk::NrrdImageIO::New().GetPointer();
-    case VolumeFormat::meta:
+    case FileFormat::meta:
       return itk::MetaImageIO::New().GetPointer();
-    case VolumeFormat::nifti:
+    case FileFormat::nifti:
       return itk::NiftiImageIO::New().GetPointer();
-    case VolumeFormat::vtk:
+    default:
       return itk::VTKImageIO::New().GetPointer();
   }
-  return {};
-}
-
-const char* nameOf(VolumeFormat format) {
-  constexpr const char* kNames[] = {"NRRD", "MetaImage", "NIfTI", "VTK"};
-  return kNames[int(format)];
 }
 
 itk::ImageIORegion wholeRegion(const itk::ImageIOBase& io) {
@@ -65,10 +59,10 @@ HeaderKeys ownKeys(const itk::ImageIOBase& io) {
   return keys;
 }
 
-StoredVolume describe(const itk::ImageIOBase& io, VolumeFormat format, const DeclaredData& data,
+StoredVolume describe(const itk::ImageIOBase& io, FileFormat format, const DeclaredData& data,
                       const fs::path& path) {
   StoredVolume stored = describedBy(io, path);
-  stored.format = nameOf(format);
+  stored.format = formatName(format);
   stored.spacingKnown = data.spacingKnown;
   stored.timeSteps = io.GetNumberOfDimensions() == 4 ? int(io.GetDimensions(3)) : 1;
   stored.timeIsFastest = data.timeAxis >= 0;
@@ -78,7 +72,7 @@ StoredVolume describe(const itk::ImageIOBase& io, VolumeFormat format, const Dec
   // A NIfTI with a slope is read as float.
   const bool agree = io.GetNumberOfDimensions() <= 4 &&
                      std::uint64_t(io.GetImageSizeInComponents()) == numbersIn(data) &&
-                     (format == VolumeFormat::nifti || io.GetComponentSize() == data.bytesPerNumber);
+                     (format == FileFormat::nifti || io.GetComponentSize() == data.bytesPerNumber);
   require(agree, "{} has a header that contradicts itself; get a fresh copy.", path.string());
   return stored;
 }
@@ -110,7 +104,7 @@ void setKeys(itk::ImageIOBase& io, const StoredVolume& stored) {
 }
 
 // Whether a file holds all of a volume: ITK's writers do not tell when the disk is full.
-bool holdsAll(VolumeFormat format, const fs::path& path, const void* numbers, std::size_t bytes) try {
+bool holdsAll(FileFormat format, const fs::path& path, const void* numbers, std::size_t bytes) try {
   const itk::ImageIOBase::Pointer io = makeIo(format);
   io->SetFileName(path.string());
   io->ReadImageInformation();
@@ -145,7 +139,7 @@ StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
   return stored;
 }
 
-LoadedVolume readWithItk(VolumeFormat format, const fs::path& path, const DeclaredData& data,
+LoadedVolume readWithItk(FileFormat format, const fs::path& path, const DeclaredData& data,
                          const Progress& progress) {
   progress.update(0);
   const itk::ImageIOBase::Pointer io = makeIo(format);
@@ -166,7 +160,7 @@ LoadedVolume readWithItk(VolumeFormat format, const fs::path& path, const Declar
   return loaded;
 }
 
-void writeWithItk(VolumeFormat format, const fs::path& path, const StoredVolume& stored, const void* numbers,
+void writeWithItk(FileFormat format, const fs::path& path, const StoredVolume& stored, const void* numbers,
                   const Progress& progress) {
   progress.update(0);
   const itk::ImageIOBase::Pointer io = makeIo(format);
@@ -175,8 +169,8 @@ void writeWithItk(VolumeFormat format, const fs::path& path, const StoredVolume&
                                                         : itk::IOComponentEnum::FLOAT);
   io->SetPixelType(itk::IOPixelEnum::SCALAR);
   io->SetNumberOfComponents(1);
-  io->SetUseCompression(format != VolumeFormat::vtk);
-  if (format == VolumeFormat::nrrd || format == VolumeFormat::meta) setKeys(*io, stored);
+  io->SetUseCompression(format != FileFormat::vtk);
+  if (format == FileFormat::nrrd || format == FileFormat::meta) setKeys(*io, stored);
   const std::size_t bytes = stored.geometry.voxels() * (stored.type == NumberType::uint8 ? 1 : sizeof(float));
   writeAtomically(path, [&](const fs::path& temporary) {
     bool written = true;

@@ -4,29 +4,28 @@
 
 #include "core/base/progress.h"
 #include "core/io/declared_data.h"
+#include "core/io/file_formats.h"
 #include "core/io/stored_volume.h"
 
 namespace itk {
 class ImageIOBase;
 }
 
-// Volumes in one file, read and written by ITK. This file and dicom_series.cpp are the only ones that see it.
+// Volumes in one file (NRRD, MetaImage, NIfTI, VTK), read and written by ITK. This file and dicom_series.cpp are the only ones that see it.
 namespace sonoskin {
-
-enum class VolumeFormat { nrrd, meta, nifti, vtk };
 
 // readWithItk: reads a file that checkData has let through.
 //   output   numbers of the first time step after the file's slope and intercept; the geometry in mm and LPS
 //   errors   Error: ITK cannot read it, or takes it for something else than its header declares; Cancelled
 //   cost     the memory of all time steps
-LoadedVolume readWithItk(VolumeFormat format, const std::filesystem::path& path, const DeclaredData& data,
+LoadedVolume readWithItk(FileFormat format, const std::filesystem::path& path, const DeclaredData& data,
                          const Progress& progress = {});
 
 // writeWithItk: writes one number per voxel, atomically; packed, where the format can.
 //   input    stored   of the type uint8 or float32; NRRD and MetaImage keep its beam and its range
 //            numbers  as many as the geometry has voxels
 //   errors   Error (system): the file cannot be written; Cancelled
-void writeWithItk(VolumeFormat format, const std::filesystem::path& path, const StoredVolume& stored,
+void writeWithItk(FileFormat format, const std::filesystem::path& path, const StoredVolume& stored,
                   const void* numbers, const Progress& progress = {});
 
 // describedBy: what an image that ITK has opened is: its geometry, type and numbers per voxel.

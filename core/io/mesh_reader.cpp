@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 #include "core/io/ply_reader.h"
 #include "core/io/reader_process.h"
 #include "core/io/reader_wire.h"
@@ -121,20 +122,21 @@ void checkStl(const std::vector<std::uint8_t>& bytes, const fs::path& path) {
           "{} ends before all of its triangles; the copy is incomplete, get a fresh one.", path.string());
 }
 
-Mesh readWithAssimp(const fs::path& path, const std::string& extension) {
+Mesh readWithAssimp(const fs::path& path, FileFormat format) {
   // From memory, so that a file cannot lead to others.
   const std::vector<std::uint8_t> bytes = readBytes(path);
-  if (extension == ".stl") checkStl(bytes, path);
+  if (format == FileFormat::stl) checkStl(bytes, path);
   Assimp::Importer importer;
   // The normals of STL are flat; colours would keep apart what lies at one place.
-  const int without = extension == ".stl" ? int(aiComponent_NORMALS) : 0;
+  const int without = format == FileFormat::stl ? int(aiComponent_NORMALS) : 0;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               without | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES);
+  const std::string hint = lowerExtension(path).substr(1);
   const aiScene* scene = nullptr;
   try {
-    scene = importer.ReadFileFromMemory(
-        bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_RemoveComponent, extension.c_str() + 1);
+    scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(),
+                                        aiProcess_Triangulate | aiProcess_RemoveComponent, hint.c_str());
   } catch (const std::exception&) {  // such as std::bad_alloc, which assimp lets through
   }
   require(scene && scene->mRootNode, "{} is damaged, incomplete or of a kind that is not known here.",
@@ -173,19 +175,16 @@ Mesh readMesh(const fs::path& path, const Progress& progress) {
 }
 
 Mesh parseMesh(const fs::path& path, const Progress& progress) {
-  const std::string extension = lowerExtension(path);
-  require(extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".glb" ||
-              extension == ".3mf",
-          "{} is not a surface that can be read; use .ply, .stl, .obj, .glb or .3mf.", path.string());
+  const FileFormat format = requireFormat(FileKind::readMesh, path);
   progress.update(0);
-  Mesh mesh = extension == ".ply" ? readPly(path, progress.part(0, 0.9)) : readWithAssimp(path, extension);
+  Mesh mesh = format == FileFormat::ply ? readPly(path, progress.part(0, 0.9)) : readWithAssimp(path, format);
   progress.update(0.9);
   require(!mesh.empty(), "{} holds no triangles; choose a surface.", path.string());
   checkExtent(mesh, path);
-  if (extension == ".glb")
+  if (format == FileFormat::glb)
     turn(
         mesh, [](const glm::vec3& v) { return glm::vec3(v.x, -v.z, v.y); }, 1000);
-  else if (extension != ".3mf" && saysRas(path))
+  else if (format != FileFormat::threeMf && saysRas(path))
     turn(
         mesh, [](const glm::vec3& v) { return glm::vec3(-v.x, -v.y, v.z); }, 1);
   if (mesh.normals.empty()) computeNormals(mesh);

@@ -1,33 +1,30 @@
 #include "core/io/mesh_writer.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 #include "core/io/mesh_encoders.h"
 
 namespace sonoskin {
 namespace {
 
-struct Format {
-  const char* extension;
-  Bytes (*encode)(const Mesh&);  // none: write3mf
-};
-constexpr std::array<Format, 5> kFormats{
-    {{".ply", encodePly}, {".stl", encodeStl}, {".obj", encodeObj}, {".glb", encodeGlb}, {".3mf", nullptr}}};
-
-const Format& formatOf(const std::filesystem::path& path) {
-  const std::string extension = lowerExtension(path);
-  for (const Format& format : kFormats)
-    if (format.extension == extension) return format;
-  throw Error(fmt::format("{} cannot be written: the name of a surface file ends in {}.", path.string(),
-                          fmt::join(meshExtensions(), ", ")),
-              Error::Kind::usage);
+// How a format is made in memory; none for 3MF, which goes to a file.
+Bytes (*encoderOf(FileFormat format))(const Mesh&) {
+  switch (format) {
+    case FileFormat::ply:
+      return encodePly;
+    case FileFormat::stl:
+      return encodeStl;
+    case FileFormat::obj:
+      return encodeObj;
+    case FileFormat::glb:
+      return encodeGlb;
+    default:
+      return nullptr;
+  }
 }
 
 // A mesh that contradicts itself would become a damaged file.
@@ -49,21 +46,12 @@ void checkWritable(const Mesh& mesh) {
 
 }  // namespace
 
-const std::vector<std::string>& meshExtensions() {
-  static const std::vector<std::string> extensions = [] {
-    std::vector<std::string> all;
-    for (const Format& format : kFormats) all.emplace_back(format.extension);
-    return all;
-  }();
-  return extensions;
-}
-
 void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const Progress& progress) {
-  const Format& format = formatOf(path);
+  const auto encode = encoderOf(requireFormat(FileKind::writtenMesh, path));
   checkWritable(mesh);
   progress.update(0);
-  if (format.encode) {
-    const Bytes bytes = format.encode(mesh);
+  if (encode) {
+    const Bytes bytes = encode(mesh);
     progress.update(0.5);
     writeBytes(path, bytes.data(), bytes.size());
   } else {

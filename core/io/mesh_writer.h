@@ -1,18 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
 namespace sonoskin {
 
-// meshExtensions: the formats that writeMesh knows: ".ply", ".stl", ".obj", ".glb", ".3mf".
-const std::vector<std::string>& meshExtensions();
-
-// writeMesh: writes a mesh in the format of the name's extension, atomically. The headers of PLY, STL and OBJ say
+// writeMesh: writes a mesh in the format of the name's extension (FileKind::writtenMesh), atomically. The headers of PLY, STL and OBJ say
 // "units mm, SPACE=LPS"; GLB is in metres with +Y up and 3MF in mm, as their standards want (mesh_encoders.h).
 //   input    mesh   world mm, LPS; normals, visibility and labels are kept where the format can hold them
 //   errors   Error (usage): another extension; Error: no triangles, positions that are not finite, indices or arrays

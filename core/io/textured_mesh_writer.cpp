@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/io/assimp_scene.h"
 #include "core/io/atomic_file.h"
-#include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -121,19 +121,11 @@ std::vector<std::string> writeTexturedObj(const fs::path& path, const TexturedMe
 
 }  // namespace
 
-const std::vector<std::string>& texturedMeshExtensions() {
-  static const std::vector<std::string> kExtensions{".glb", ".obj"};
-  return kExtensions;
-}
-
 std::vector<std::string> writeTexturedMesh(const fs::path& path, const TexturedMesh& surface,
                                            const Progress& progress) {
-  const std::string extension = lowerExtension(path);
-  if (std::ranges::count(texturedMeshExtensions(), extension) == 0)
-    throw Error(fmt::format("{}: a surface with pictures is written as .glb or .obj.", path.string()),
-                Error::Kind::usage);
+  const FileFormat format = requireFormat(FileKind::texturedMesh, path);
   check(surface);
-  if (extension == ".obj") return writeTexturedObj(path, surface, progress);
+  if (format == FileFormat::obj) return writeTexturedObj(path, surface, progress);
   const Bytes bytes = texturedGlb(surface, progress.part(0, 0.9));
   progress.throwIfCancelled();
   writeBytes(path, bytes.data(), bytes.size());

@@ -23,9 +23,6 @@ struct TexturedMesh {
   bool lit = false;
 };
 
-// texturedMeshExtensions: ".glb", ".obj".
-const std::vector<std::string>& texturedMeshExtensions();
-
 // writeTexturedMesh: GLB holds the pictures; an OBJ has a material file and pictures beside it: face.obj, face.mtl,
 // face_colour.png, face_normal.png, face_roughness.png. They appear together. Units and frames as writeMesh; a lit
 // surface is unlit for the viewer (KHR_materials_unlit).

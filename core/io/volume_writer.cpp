@@ -1,35 +1,24 @@
 #include "core/io/volume_writer.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
 #include "core/io/itk_files.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-VolumeFormat formatOf(const fs::path& path) {
-  const std::string extension = lowerExtension(path);
-  if (extension == ".nrrd") return VolumeFormat::nrrd;
-  if (extension == ".mha") return VolumeFormat::meta;
-  if (extension == ".nii.gz") return VolumeFormat::nifti;
-  if (extension == ".vtk") return VolumeFormat::vtk;
-  throw Error(fmt::format("{} cannot be written: the name of a volume ends in {}.", path.string(),
-                          fmt::join(volumeExtensions(), ", ")),
-              Error::Kind::usage);
-}
-
 template <class T>
 void write(const fs::path& path, const Volume<T>& volume, const std::optional<Beam>& beam,
            const Progress& progress) {
-  const VolumeFormat format = formatOf(path);
+  const FileFormat format = requireFormat(FileKind::writtenVolume, path);
   const Geometry& g = volume.geometry;
-  if (format == VolumeFormat::vtk && g.direction != glm::dmat3(1))
+  if (format == FileFormat::vtk && g.direction != glm::dmat3(1))
     throw Error(
         fmt::format("{} would lose the direction of the volume's axes; write .nrrd instead.", path.string()),
         Error::Kind::usage);
@@ -44,11 +33,6 @@ void write(const fs::path& path, const Volume<T>& volume, const std::optional<Be
 }
 
 }  // namespace
-
-const std::vector<std::string>& volumeExtensions() {
-  static const std::vector<std::string> extensions{".nrrd", ".mha", ".nii.gz", ".vtk"};
-  return extensions;
-}
 
 void writeVolume(const fs::path& path, const Volume<float>& volume, const std::optional<Beam>& beam,
                  const Progress& progress) {

@@ -11,10 +11,8 @@
 
 namespace sonoskin {
 
-// volumeExtensions: the formats that writeVolume knows: ".nrrd", ".mha", ".nii.gz", ".vtk".
-const std::vector<std::string>& volumeExtensions();
-
-// writeVolume: writes a volume in the format of the name's extension, atomically; packed, but for .vtk.
+// writeVolume: writes a volume in the format of the name's extension (FileKind::writtenVolume), atomically; packed, but
+// for .vtk.
 //   input   volume  intensities in [0, 1] as float, or any bytes
 //           beam    kept by .nrrd and .mha, in keys of our own
 //   errors  Error (usage): another extension, or a turned volume to .vtk, which cannot keep its direction;

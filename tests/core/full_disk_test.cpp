@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/io/atomic_file.h"
+#include "core/io/file_formats.h"
 #include "core/io/image.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
@@ -48,11 +49,11 @@ const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>>&
   }();
   static std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> all;
   if (all.empty()) {
-    for (const std::string& extension : volumeExtensions()) {
+    for (const std::string& extension : extensionsOf(FileKind::writtenVolume)) {
       all.emplace_back("float" + extension, [](const fs::path& p) { writeVolume(p, volume); });
       all.emplace_back("bytes" + extension, [](const fs::path& p) { writeVolume(p, bytes); });
     }
-    for (const std::string& extension : meshExtensions())
+    for (const std::string& extension : extensionsOf(FileKind::writtenMesh))
       all.emplace_back("mesh" + extension, [](const fs::path& p) { writeMesh(p, mesh); });
     all.emplace_back("picture.png", [](const fs::path& p) { writePng(p, picture); });
     all.emplace_back("recipe.json", [](const fs::path& p) {

@@ -83,7 +83,7 @@ TEST(ReadMesh, JoinsWhatTexturesSplit) {
 TEST(ReadMesh, RefusesWhatIsNoSurface) {
   const TempFolder folder;
   expectError([&] { readMesh(folder / "none.ply"); }, "no file");
-  expectError([&] { readMesh(folder.write("a.xyz", "1 2 3")); }, "not a surface");
+  expectError([&] { readMesh(folder.write("a.xyz", "1 2 3")); }, "is not a mesh");
   expectError([&] { readMesh(folder.write("a.obj", "v 0 0 0\n")); }, "");
   for (const char* extension : {".ply", ".stl", ".obj", ".glb", ".3mf"}) {
     expectError([&] { readMesh(folder.write(std::string("empty") + extension, "")); }, "empty");

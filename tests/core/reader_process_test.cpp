@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "core/base/timer.h"
+#include "core/io/file_formats.h"
 #include "core/io/mesh_reader.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/reader_wire.h"
@@ -47,7 +48,7 @@ struct Readers : testing::Test {
 };
 
 TEST_F(Readers, GiveTheSameVolume) {
-  for (const std::string& extension : volumeExtensions()) {
+  for (const std::string& extension : extensionsOf(FileKind::writtenVolume)) {
     SCOPED_TRACE(extension);
     const fs::path file = volume("scan" + extension);
     const LoadedVolume here = loadVolume(file);
@@ -67,7 +68,7 @@ TEST_F(Readers, GiveTheSameVolume) {
 }
 
 TEST_F(Readers, GiveTheSameMesh) {
-  for (const std::string& extension : meshExtensions()) {
+  for (const std::string& extension : extensionsOf(FileKind::writtenMesh)) {
     SCOPED_TRACE(extension);
     const fs::path file = mesh("mesh" + extension);
     const Mesh here = parseMesh(file), apart = readMesh(file);
@@ -100,7 +101,7 @@ TEST_F(Readers, SeeTheirFolderAlone) {
 
 TEST_F(Readers, PassErrorsOn) {
   expectError([&] { readScan(folder / "missing.nrrd"); }, "There is no file");
-  expectError([&] { readScan(folder.write("a.xyz", "x")); }, "is not known");
+  expectError([&] { readScan(folder.write("a.xyz", "x")); }, "known here");
   ASSERT_EQ(::mkfifo((folder / "pipe.nrrd").c_str(), 0600), 0);
   expectError([&] { readScan(folder / "pipe.nrrd"); }, "not an ordinary file");
   expectError([&] { readMesh(folder / "pipe.ply"); }, "There is no file");
@@ -122,8 +123,10 @@ TEST_F(Readers, SurviveWhatTheLibrariesDoNot) {
 // Bytes that are damaged one by one, and files that end early: a result or a sentence, never the end.
 TEST_F(Readers, SurviveDamagedFiles) {
   std::vector<fs::path> files;
-  for (const std::string& extension : meshExtensions()) files.push_back(mesh("m" + extension));
-  for (const std::string& extension : volumeExtensions()) files.push_back(volume("v" + extension));
+  for (const std::string& extension : extensionsOf(FileKind::writtenMesh))
+    files.push_back(mesh("m" + extension));
+  for (const std::string& extension : extensionsOf(FileKind::writtenVolume))
+    files.push_back(volume("v" + extension));
   std::uint64_t n = 7;
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.extension().string());

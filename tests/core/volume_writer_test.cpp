@@ -97,7 +97,7 @@ TEST(WriteScan, WritesBytesWhereBytesWereRead) {
 TEST(WriteVolume, RefusesWhatItCannotWrite) {
   const TempFolder folder;
   const auto volume = filledVolume<float>(turnedGeometry());
-  expectError([&] { writeVolume(folder / "a.xyz", volume); }, ".nrrd, .mha, .nii.gz, .vtk",
+  expectError([&] { writeVolume(folder / "a.xyz", volume); }, ".nrrd, .mha, .nii.gz or .vtk",
               Error::Kind::usage);
   expectError([&] { writeVolume(folder / "a.vtk", volume); }, "direction", Error::Kind::usage);
   expectError([&] { writeVolume(folder / "a.nrrd", Volume<float>{}); }, "no volume");
