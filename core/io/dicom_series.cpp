@@ -1,19 +1,18 @@
 #include "core/io/dicom_series.h"
 
 #include <gdcmTrace.h>
-#include <itkGDCMImageIO.h>
 #include <itkGDCMSeriesFileNames.h>
-#include <itkMetaDataObject.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
 #include <string_view>
 
 #include "core/base/error.h"
 #include "core/io/dicom_lengths.h"
+#include "core/io/dicom_slice.h"
 #include "core/io/file_bytes.h"
-#include "core/io/itk_files.h"
+#include "core/io/file_formats.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -63,68 +62,6 @@ Names seriesFiles(const fs::path& path) {
   return largest;
 }
 
-// One file: its geometry and, when asked for, its pixels.
-class Slice {
- public:
-  explicit Slice(const fs::path& path) : path_(path), io_(itk::GDCMImageIO::New()) {
-    checkDicomLengths(path);
-    io_->SetFileName(path.string());
-    guarded([&] { io_->ReadImageInformation(); });
-    stored_ = describedBy(*io_, path);
-    stored_.format = "DICOM series";
-    stored_.modality = modality();
-    stored_.spacingKnown = has("0028|0030") || has("0018|1164") || has("0018|2010");
-  }
-
-  const StoredVolume& stored() const { return stored_; }
-  glm::dvec3 normal() const {
-    return glm::cross(stored_.geometry.direction[0], stored_.geometry.direction[1]);
-  }
-  std::size_t bytes() const {
-    return stored_.geometry.voxels() * std::size_t(stored_.components) * numberTypeBytes(stored_.type);
-  }
-  void read(std::uint8_t* out) {
-    itk::ImageIORegion region(io_->GetNumberOfDimensions());
-    for (unsigned a = 0; a < io_->GetNumberOfDimensions(); ++a) region.SetSize(a, io_->GetDimensions(a));
-    io_->SetIORegion(region);
-    require(std::size_t(io_->GetImageSizeInBytes()) == bytes(), "{} has a damaged header; get a fresh copy.",
-            path_.string());
-    guarded([&] { io_->Read(out); });
-  }
-
- private:
-  bool has(const char* tag) const {
-    std::string ignored;
-    return itk::ExposeMetaData(io_->GetMetaDataDictionary(), tag, ignored);
-  }
-  // Two capital letters by the standard; whatever else a file puts there is not passed on.
-  std::string modality() const {
-    std::string word;
-    itk::ExposeMetaData(io_->GetMetaDataDictionary(), "0008|0060", word);
-    word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == ' ' || c == '\0'; }),
-               word.end());
-    const bool isCode =
-        word.size() == 2 && std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
-    return isCode ? word : std::string();
-  }
-  // The libraries' own words may quote the file, so they are not passed on.
-  template <class Call>
-  void guarded(Call&& call) const {
-    try {
-      call();
-    } catch (const std::exception&) {
-      throw Error(
-          fmt::format("{} holds no pixels that can be read; the copy is incomplete or of a kind that is not "
-                      "known here.",
-                      path_.string()));
-    }
-  }
-
-  fs::path path_;
-  itk::GDCMImageIO::Pointer io_;
-  StoredVolume stored_;
-};
-
 // The distance between neighbours along the normal; refuses gaps, which would bend the face.
 double sliceDistance(const std::vector<double>& along, const fs::path& path) {
   const double mean = (along.back() - along.front()) / double(along.size() - 1);
@@ -141,25 +78,38 @@ void checkBytes(std::uintmax_t all, std::uintmax_t inFiles, const fs::path& path
           path.string());
 }
 
+// Slices may have a scale each, and with it a padding each; what is none holds no number.
+void addPadding(StoredVolume& series, const StoredVolume& slice, std::size_t number) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  if (slice.padding.empty() && series.padding.empty()) return;
+  series.padding.resize(number, Padding{kNone, kNone});
+  series.padding.push_back(slice.padding.empty() ? Padding{kNone, kNone} : slice.padding.front());
+}
+
 LoadedVolume readSlices(const Names& names, const fs::path& path, const Progress& progress) {
-  Slice first(names.front());
+  DicomSlice first(names.front());
   LoadedVolume series;
   series.stored = first.stored();
   Geometry& g = series.stored.geometry;
   require(g.dims.z == 1, "The series in {} has several volumes; choose one of its files.", path.string());
   g.dims.z = int(names.size());
+  series.stored.padding.clear();
   for (const std::string& name : names) series.bytes += fileSize(name);
   checkBytes(first.bytes() * names.size(), series.bytes, path);
   series.numbers.resize(first.bytes() * names.size());
   std::vector<double> along;
   for (std::size_t s = 0; s < names.size(); ++s) {
     progress.update(double(s) / double(names.size()));
-    Slice slice(names[s]);
+    DicomSlice slice(names[s]);
     const StoredVolume& one = slice.stored();
-    require(one.geometry.dims == first.stored().geometry.dims && one.type == first.stored().type &&
-                one.components == first.stored().components,
+    require(one.geometry.dims == first.stored().geometry.dims && one.components == first.stored().components,
             "The slices of the series in {} differ in size; keep one series per folder.", path.string());
+    require(
+        one.type == first.stored().type,
+        "The slices of the series in {} hold numbers of different types; export it as NRRD with 3D Slicer.",
+        path.string());
     slice.read(series.numbers.data() + s * first.bytes());
+    addPadding(series.stored, one, s);
     along.push_back(glm::dot(one.geometry.origin, first.normal()));
   }
   const double distance = sliceDistance(along, path);
@@ -169,7 +119,7 @@ LoadedVolume readSlices(const Names& names, const fs::path& path, const Progress
 }
 
 LoadedVolume readFrames(const fs::path& path, const Progress& progress) {
-  Slice file(path);
+  DicomSlice file(path);
   LoadedVolume series;
   series.stored = file.stored();
   series.stored.format = "DICOM";
@@ -185,10 +135,7 @@ LoadedVolume readFrames(const fs::path& path, const Progress& progress) {
 
 }  // namespace
 
-bool isDicom(const fs::path& path) {
-  const std::vector<std::uint8_t> bytes = readBytes(path, 132);
-  return bytes.size() == 132 && !std::memcmp(bytes.data() + 128, "DICM", 4);
-}
+bool isDicom(const fs::path& path) { return beginsAs(FileFormat::dicom, readBytes(path, 132)); }
 
 LoadedVolume readDicomSeries(const fs::path& path, const Progress& progress) {
   silenceLibraries();

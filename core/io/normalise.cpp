@@ -70,6 +70,20 @@ Volume<float> valuesOf(const StoredVolume& s, const std::uint8_t* n, const Progr
   return {};
 }
 
+// What the file says is padding is no number from here on. Scales are rounded, and so is what they make of it.
+void takeOut(const std::vector<Padding>& padding, Volume<float>& volume) {
+  if (padding.empty()) return;
+  const std::size_t slice = volume.data.size() / std::size_t(volume.geometry.dims.z);
+  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
+    const Padding& p = padding[padding.size() == 1 ? 0 : std::size_t(k)];
+    const float slack =
+        4 * std::numeric_limits<float>::epsilon() * std::max(std::abs(p.least), std::abs(p.most));
+    const Padding rounded{p.least - slack, p.most + slack};
+    for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v)
+      if (rounded.holds(volume.data[v])) volume.data[v] = std::numeric_limits<float>::quiet_NaN();
+  });
+}
+
 std::pair<double, double> extremes(std::span<const float> data) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const float v : data) {
@@ -124,7 +138,7 @@ std::pair<double, double> unitRange(const StoredVolume& stored, const Normalised
     range = {least, least + 255};
   } else {
     range = naturalRange(percentiles(n.volume.data, padding));
-    range.first = darkest(range, padding);
+    range.first = darkest(range, padding || stored.padding.empty() ? padding : stored.padding.front());
     if (!(range.first < range.second)) range = {n.valueMin, n.valueMax};
   }
   return range;
@@ -144,6 +158,7 @@ NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::ui
                            const Progress& progress, bool outside) {
   NormalisedVolume n;
   n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
+  takeOut(stored.padding, n.volume);
   std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
   const std::optional<Padding> padding = outside ? findPadding(n.volume) : std::nullopt;
   std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n, padding));

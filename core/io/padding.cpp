@@ -7,7 +7,8 @@
 namespace sonoskin {
 namespace {
 
-constexpr double kMostSides = 0.5;     // share of the sides' voxels that padding has at least
+constexpr double kMostSides = 0.5;     // share of the sides' finite voxels that padding has at least
+constexpr double kLeastSides = 0.1;    // share of the sides that must be finite to say anything
 constexpr float kNearlyAlike = 0.02f;  // of the range of all
 constexpr std::size_t kSamples = 400'000;
 
@@ -17,7 +18,8 @@ std::vector<float> finiteOnes(std::vector<float> values) {
   return values;
 }
 
-std::vector<float> valuesOnSides(const Volume<float>& volume) {
+// The finite ones; `count` is that of all.
+std::vector<float> valuesOnSides(const Volume<float>& volume, std::size_t& count) {
   const glm::ivec3 d = volume.geometry.dims;
   std::vector<float> values;
   for (int k = 0; k < d.z; ++k)
@@ -25,6 +27,7 @@ std::vector<float> valuesOnSides(const Volume<float>& volume) {
       for (int i = 0; i < d.x;
            i += j == 0 || k == 0 || j == d.y - 1 || k == d.z - 1 ? 1 : std::max(1, d.x - 1))
         values.push_back(volume.at(i, j, k));
+  count = values.size();
   return finiteOnes(std::move(values));
 }
 
@@ -48,8 +51,10 @@ std::pair<Padding, std::size_t> fullestWindow(const std::vector<float>& sorted, 
 }  // namespace
 
 std::optional<Padding> findPadding(const Volume<float>& volume) {
-  const std::vector<float> sides = valuesOnSides(volume), all = sampleOf(volume);
-  if (sides.empty() || all.empty() || all.front() == all.back()) return {};
+  std::size_t onSides = 0;
+  const std::vector<float> sides = valuesOnSides(volume, onSides), all = sampleOf(volume);
+  if (all.empty() || all.front() == all.back() || double(sides.size()) <= kLeastSides * double(onSides))
+    return {};
   const auto isMost = [&](std::size_t count) { return double(count) > kMostSides * double(sides.size()); };
   const auto [exact, alike] = fullestWindow(sides, 0);
   if (isMost(alike)) return exact;

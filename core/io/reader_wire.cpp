@@ -83,7 +83,7 @@ void walkVolume(F& f, V& v) {
   auto& g = s.geometry;
   f(s.format), f(g.dims), f(g.spacing), f(g.origin), f(g.direction);
   f(s.spacingKnown), f(s.type), f(s.components), f(s.timeSteps), f(s.timeIsFastest), f(s.modality);
-  f(v.bytes), f(v.numbers);
+  f(s.padding), f(v.bytes), f(v.numbers);
 }
 
 template <class F, class M>
@@ -120,6 +120,7 @@ bool isSound(const LoadedVolume& v) {
   if (std::size_t(s.type) > std::size_t(NumberType::float64) || !fits(s.components) || !fits(s.timeSteps) ||
       !fits(s.geometry.dims.x) || !fits(s.geometry.dims.y) || !fits(s.geometry.dims.z))
     return false;
+  if (s.padding.size() > 1 && s.padding.size() != std::size_t(s.geometry.dims.z)) return false;
   if (s.beam &&
       !(isFinite(s.beam->axis) && isFinite(s.beam->up) && isFinite(s.beam->apex.value_or(glm::dvec3(0)))))
     return false;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/padding.h"
 #include "core/volume/scan.h"
 
 namespace sonoskin {
@@ -29,6 +30,8 @@ struct StoredVolume {
   int timeSteps = 1;                                   // volumes one after another, or
   bool timeIsFastest = false;                          // side by side, as components
   std::optional<std::pair<double, double>> unitRange;  // values that mean 0 and 1, where the file tells
+  std::vector<Padding>
+      padding;  // numbers that mean nothing was recorded: of all, or of each slice; none: not told
   std::optional<Beam> beam;
   std::string
       modality{};  // DICOM's word for the machine: "US", "CT", ...; empty where the file does not tell

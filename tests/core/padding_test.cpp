@@ -77,6 +77,15 @@ TEST(Padding, OfHardlyAnyNumbersIsNone) {
   EXPECT_FALSE(findPadding(empty));
 }
 
+// Where numbers that are none mark the outside, the few others on the sides are no padding: their value is recorded too.
+TEST(Padding, IsNotWhatLittleLiesOnSidesThatAreNone) {
+  Volume<float> volume = ballIn([](double) { return double(std::numeric_limits<float>::quiet_NaN()); });
+  volume.at(12, 12, 0) = volume.at(12, 11, 0) = 100;
+  volume.at(12, 12, 12) = 100;
+  EXPECT_FALSE(findPadding(volume));
+  EXPECT_GT(normalised(volume).volume.at(12, 12, 12), 0);
+}
+
 // A mask may mark all of a volume's sides; that is no padding.
 TEST(Padding, IsNotLookedForInMarks) {
   Volume<float> mask(test::grid({10, 10, 10}), 1);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <itkGDCMImageIO.h>
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "core/io/stored_volume.h"
+
+namespace sonoskin {
+
+// DicomSlice: one file of DICOM: what its numbers mean and, when asked for, the numbers. Only for dicom_series.cpp: it
+// shows ITK.
+//   errors  Error: an element that is longer than the file; no pixels that can be read
+class DicomSlice {
+ public:
+  explicit DicomSlice(const std::filesystem::path& path);
+
+  // stored: of its frames. Its padding is one range, after slope and intercept, where the file names one [DICOM PS3.3,
+  // C.7.5.1.1.2].
+  const StoredVolume& stored() const { return stored_; }
+  glm::dvec3 normal() const;
+  std::size_t bytes() const;
+  // read: the numbers after slope and intercept, `bytes()` of them, as `stored().type`.
+  void read(std::uint8_t* out);
+
+ private:
+  std::optional<std::string> text(const char* tag) const;
+  std::optional<int> number(const char* tag) const;
+  std::string modality() const;
+  std::optional<Padding> padding() const;
+
+  std::filesystem::path path_;
+  itk::GDCMImageIO::Pointer io_;
+  StoredVolume stored_;
+};
+
+}  // namespace sonoskin
