@@ -12,6 +12,7 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/theme.h"
+#include "core/base/error_text.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
@@ -46,7 +47,7 @@ void Application::attempt(const std::function<void()>& action) {
   try {
     action();
   } catch (const std::exception& error) {
-    workspace_.toasts.add(error.what(), true);
+    workspace_.toasts.add(errorText(error), true);
   }
 }
 
@@ -64,6 +65,7 @@ bool Application::frame() {
   const bool event = window_.waitForFrame(waitSeconds());
   bool arrived = false;
   attempt([&] { arrived = workspace_.session.poll(); });
+  arrived |= log_.waiting();
   if (arrived) window_.requestFrames();
   const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
   if (event || arrived || due) {
@@ -89,11 +91,13 @@ void Application::takeInput() {
 
 void Application::updateDocument() {
   Session& session = workspace_.session;
-  for (Message& message : session.takeMessages()) {
-    if (message.kind == Message::Kind::warning)
-      workspace_.toasts.warn(ui::sentence(message.text));
+  for (const Message& message : session.takeMessages())
+    workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+  for (const LogEntry& entry : log_.take()) {
+    if (entry.level == LogLevel::warning)
+      workspace_.toasts.warn(ui::sentence(entry.sentence));
     else
-      workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+      workspace_.toasts.add(ui::sentence(entry.sentence), false);
   }
   const Scan& scan = session.scan();
   if (scan.volume.get() != shownVolume_) {
@@ -124,8 +128,9 @@ void Application::draw() {
     ui::drawAbout(workspace_);
     ui::drawQuestion(workspace_);
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float below = ui::drawLog(workspace_);
     toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
-                                 viewport.Size.y - 48 * ui::unit());
+                                 viewport.Size.y - below - 48 * ui::unit());
     if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
   });
   // An error may have left windows and groups open.

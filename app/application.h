@@ -8,6 +8,7 @@
 #include "app/desktop_window.h"
 #include "app/views/four_up.h"
 #include "app/workspace.h"
+#include "core/base/log.h"
 #include "core/pipeline/parameters.h"
 
 namespace sonoskin {
@@ -36,6 +37,7 @@ class Application {
   void attempt(const std::function<void()>& action);
   double waitSeconds() const;
 
+  LogRecord log_;  // what is said anywhere, until updateDocument shows it
   Settings settings_;
   DesktopWindow window_;
   Workspace workspace_;

@@ -11,6 +11,7 @@
 #include "app/face_view.h"
 #include "app/last_words.h"
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/io/atomic_file.h"
@@ -40,6 +41,7 @@ struct BatchRun {
   const Pipeline::StageBegins& stageBegins;
   OutputFolder folder;
   Report report;
+  LogRecord said{};
   std::optional<TexturedMesh> baked{};
 
   std::filesystem::path file(const std::string& name) {
@@ -82,7 +84,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.isoValue = results.isoValue;
   run.report.isoShare = run.parameters.classification.isoShare;
   run.report.isoRange = results.isoRange;
-  run.report.warnings = results.warnings;
+  for (const std::string& warning : results.warnings) log(LogLevel::warning, warning);
   run.report.points = results.points->size();
   run.report.edge = results.edge;
   run.report.centres = results.centres;
@@ -228,6 +230,8 @@ void publish(BatchRun& run, const Timer& timer) {
   if (std::ranges::count(run.report.files, name) == 0) run.report.files.push_back(name);
   run.report.seconds = timer.seconds();
   run.report.peakMemory = peakMemoryBytes();
+  run.report.warnings = run.said.sentences(LogLevel::warning);
+  run.report.notes = run.said.sentences(LogLevel::info);
   const std::string report = reportJson(run.report);
   writeBytes(run.folder.file(name), report.data(), report.size());
   run.progress.throwIfCancelled();
@@ -245,8 +249,11 @@ void addPictures(BatchRun& run, const Scan& scan, const Results& results, const 
     throw Error(fmt::format("The surface is written, but its pictures could not be drawn: {}", error.what()),
                 Error::Kind::system);
   } catch (const std::bad_alloc&) {
-    throw Error("The surface is written, but its pictures could not be drawn: memory is short.",
-                Error::Kind::system);
+    throw Error(
+        "The surface is written, but its pictures could not be drawn for want of memory; close other "
+        "programs or give "
+        "a smaller --size.",
+        Error::Kind::system);
   }
   publish(run, timer);
 }

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -18,6 +17,7 @@
 #include "app/cli/streams.h"
 #include "app/window.h"
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 #include "core/base/version.h"
 #include "core/io/file_formats.h"
 #include "core/io/reader_process.h"
@@ -45,11 +45,17 @@ ExitStatus statusOf(Error::Kind kind) {
   return kOther;
 }
 
+// The words of the parser of options, with what to do.
+std::string usageSentence(std::string words) {
+  while (!words.empty() && (words.back() == '\n' || words.back() == '.')) words.pop_back();
+  return words + "; see --help.";
+}
+
 int runWindow(const std::string& file, const Parameters& parameters) {
   if (file.empty()) return openWindow(std::nullopt, parameters);
   if (!std::filesystem::exists(file)) {
     return fail(kUsage,
-                fmt::format("there is no command and no file named \"{}\"; see sonoskin --help", file));
+                fmt::format("There is no command and no file named \"{}\"; see sonoskin --help.", file));
   }
   return openWindow(file, parameters);
 }
@@ -82,7 +88,7 @@ int parseAndRun(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return fail(kUsage, error.what());
+    if (error.get_exit_code() != 0) return fail(kUsage, usageSentence(error.what()));
     std::ostringstream text;  // the help or the version
     program.exit(error, text, text);
     writeResult(text.str());
@@ -110,10 +116,8 @@ int runCommandLine(int argc, char** argv) {
     return kOther;
   } catch (const Error& error) {
     return fail(statusOf(error.kind()), error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kOther, "not enough memory; a smaller volume or a lower --mesh.resolution needs less");
   } catch (const std::exception& error) {
-    return fail(kOther, error.what());
+    return fail(kOther, errorText(error));
   }
 }
 

@@ -87,6 +87,13 @@ void showMesh(W& w, MeshStyle style) {
   w.view.meshStyle = style;
 }
 
+void toggleMessages(W& w) {
+  if (w.toasts.log.shown)
+    w.toasts.log.shown = false;
+  else
+    w.toasts.log.open();
+}
+
 // Escape ends what is most in the way.
 void stop(W& w) {
   if (w.question) {
@@ -162,6 +169,8 @@ const Command kCommands[] = {
    [](W& w) { w.view.skin.lamp = !w.view.skin.lamp; }, showsSkin, [](const W& w) { return w.view.skin.lamp; }},
   {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },
    nullptr, [](const W& w) { return w.view.maximised == Pane::space; }, true},
+  {"view.messages", "Messages", Menu::view, key(GLFW_KEY_N), toggleMessages, nullptr,
+   [](const W& w) { return w.toasts.log.shown; }},
 
   {"region.box", "Show the crop box", Menu::region, key(GLFW_KEY_B), [](W& w) { w.view.cropBox = !w.view.cropBox; },
    hasScan, [](const W& w) { return w.view.cropBox; }},

@@ -24,12 +24,12 @@ std::string& lastGlfwError() {
   return text;
 }
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void giveUp(const std::string& what) {
   glfwTerminate();
-  throw Error(
-      fmt::format("cannot open a window ({}): {}; without a display use 'sonoskin run' or 'sonoskin render'",
-                  what, lastGlfwError().empty() ? "no reason given" : lastGlfwError()),
-      Error::Kind::system);
+  throw Error(fmt::format("The window cannot be opened for want of {} ({}); without one use 'sonoskin run' "
+                          "or 'sonoskin render'.",
+                          what, lastGlfwError().empty() ? "no reason given" : lastGlfwError()),
+              Error::Kind::system);
 }
 
 }  // namespace
@@ -77,13 +77,13 @@ struct DesktopWindow::Callbacks {
 
 DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size) {
   glfwSetErrorCallback([](int, const char* text) { lastGlfwError() = text; });
-  if (!glfwInit()) fail("no display");
+  if (!glfwInit()) giveUp("a display");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
-  if (!window_) fail("no OpenGL 4.5");
+  if (!window_) giveUp("OpenGL 4.5");
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(window_, this);

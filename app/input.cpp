@@ -18,7 +18,7 @@ void eraseAsIn(const RecipeInput& recipe, Scan& scan) {
   if (recipe.erased.counts.empty()) return;
   if (recipe.key != scan.key.hex())
     return log(LogLevel::warning,
-               "what the recipe erases is of another volume; nothing is erased of this one");
+               "What the recipe erases is of another volume; nothing is erased of this one.");
   setErased(scan, fromRunLengths(recipe.erased, scan.volume->geometry));
 }
 
@@ -29,12 +29,20 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
   Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
                                             : readScan(files.volume, volume);
   if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
+  warnOfSpacing(scan);
   if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
   if (!files.erased.empty())
     setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
   else
     eraseAsIn(files.recipe, scan);
   return scan;
+}
+
+void warnOfSpacing(const Scan& scan) {
+  if (!scan.spacingKnown)
+    log(LogLevel::warning,
+        "The file gives no spacing and 1 mm is assumed, so that lengths and areas mean nothing; give it as "
+        "scan.spacing.");
 }
 
 Parameters withLandmarks(Parameters parameters, const std::string& input) {

@@ -28,6 +28,9 @@ struct InputFiles {
 //   errors  Error: see readScan, setMask, setErased and fromRunLengths; Cancelled
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
 
+// warnOfSpacing: logs that a scan's spacing is not known, where it is not.
+void warnOfSpacing(const Scan& scan);
+
 // withLandmarks: the parameters, with the phantom's own landmarks where it is the input and none are set.
 Parameters withLandmarks(Parameters parameters, const std::string& input);
 

@@ -124,7 +124,7 @@ void assign(std::string_view name, std::string_view text, T& member) {
   const auto value = parse(text, member);
   if (!value) {
     const std::string example = textOf(member) == "none" ? "12,-3.5,40;8,0,61" : textOf(member);
-    throw Error(fmt::format("--{} {}: expected {}, such as {}", name, text, kindOf(member), example),
+    throw Error(fmt::format("--{} {} is not {}; give for example {}.", name, text, kindOf(member), example),
                 Error::Kind::usage);
   }
   member = *value;
@@ -134,7 +134,8 @@ void assign(std::string_view name, std::string_view text, T& member, const Range
   T value = member;
   assign(name, text, value);
   if (!within(value, range)) {
-    throw Error(fmt::format("--{} {}: outside of {} .. {}", name, text, range.min, range.max),
+    throw Error(fmt::format("--{} {} lies outside of {} .. {}; give a value within.", name, text, range.min,
+                            range.max),
                 Error::Kind::usage);
   }
   member = value;
@@ -171,7 +172,7 @@ void setParameter(Parameters& parameters, std::string_view name, std::string_vie
       },
       parameters);
   if (!found) {
-    throw Error(fmt::format("--{}: no such parameter; \"sonoskin recipe --explain\" lists them", name),
+    throw Error(fmt::format("There is no parameter --{}; \"sonoskin recipe --explain\" lists them.", name),
                 Error::Kind::usage);
   }
 }

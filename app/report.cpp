@@ -89,6 +89,7 @@ std::string reportJson(const Report& report) {
   json["iso_value"] = report.isoValue;
   json["iso"] = isoJson(report);
   json["warnings"] = report.warnings;
+  json["notes"] = report.notes;
   json["erased_voxels"] = report.erasedVoxels;
   json["stages"] = stages;
   json["points"] = report.points;

@@ -40,9 +40,11 @@ struct Report {
   std::optional<double> globalErrorWithWeights;
   EdgeProfile edge;  // across the surface; all zero if the points were not moved onto it
   FaceReport face;
-  std::vector<std::string> warnings;  // a sentence each: why the surface may not be skin, or not in mm
-  double seconds = 0;                 // wall time of everything
-  std::size_t peakMemory = 0;         // bytes
+  std::vector<std::string>
+      warnings;  // a sentence each: why the surface may not be skin, or not in mm; all that was logged
+  std::vector<std::string> notes;  // a sentence each: what was chosen where a file left a choice
+  double seconds = 0;              // wall time of everything
+  std::size_t peakMemory = 0;      // bytes
   int threads = 0;
   std::string gl;  // renderer and version of OpenGL
   std::vector<std::string> files;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/log.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/scan_doubts.h"
@@ -218,7 +219,7 @@ void Session::takeResults() {
 void Session::tellWarnings(const std::vector<std::string>& warnings, bool again) {
   for (const std::string& warning : warnings) {
     const bool known = std::ranges::count(warned_, warning) > 0;
-    if (!known || again) report(Message::Kind::warning, warning);
+    if (!known || again) log(LogLevel::warning, warning);
     if (!known) warned_.push_back(warning);
   }
 }

@@ -18,9 +18,9 @@
 
 namespace sonoskin {
 
-// Message: something to tell the person once.
+// Message: how something ended that the person asked for. Notes and warnings about the data are logged (core/base/log.h).
 struct Message {
-  enum class Kind { note, warning, failure };
+  enum class Kind { note, failure };
   Kind kind = Kind::note;
   std::string text;  // one sentence
 };
@@ -80,7 +80,7 @@ class Session {
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return results_; }
   bool meshIsCurrent() const;
-  // warnings: why the surface may not be skin, or not in mm; a sentence each. Each is a message once, and again when
+  // warnings: why the surface may not be skin, or not in mm; a sentence each. Each is logged once, and again when
   // reconstruct() was asked for.
   const std::vector<std::string>& warnings() const { return results_.warnings; }
   // face: where the face is, if it is certain; else null.

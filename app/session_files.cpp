@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/input.h"
 #include "app/session.h"
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
@@ -38,6 +40,7 @@ void Session::openFile(const fs::path& path) {
     opened.scan = readScan(path, progress);
     opened.givesSpacing = opened.scan.spacingKnown;
     if (!opened.givesSpacing) setSpacing(opened.scan, spacing);
+    warnOfSpacing(opened.scan);
   });
 }
 
@@ -65,8 +68,7 @@ void Session::loadRecipe(const fs::path& path) {
   if (!input.erased.counts.empty() && input.key == scan_.key.hex())
     erased_.become(fromRunLengths(input.erased, scan_.volume->geometry));
   else if (!input.erased.counts.empty())
-    report(Message::Kind::warning,
-           "what the recipe erases is of another volume; nothing is erased of this one");
+    log(LogLevel::warning, "What the recipe erases is of another volume; nothing is erased of this one.");
   show(read);
   commitEdit();
 }
@@ -130,9 +132,11 @@ void Session::save(const fs::path& path, const std::string& recipe,
         write(progress);
         const fs::path beside = fs::path(path).replace_extension(".recipe.json");
         if (std::error_code code; fs::exists(beside, code) && !isRecipe(beside))
-          throw Error(fmt::format("{} is saved, but its recipe is not: {} is something else.",
-                                  path.filename().string(), beside.filename().string()),
-                      Error::Kind::system);
+          throw Error(
+              fmt::format(
+                  "{} is saved, but its recipe is not, for {} is something else; choose another name.",
+                  path.filename().string(), beside.filename().string()),
+              Error::Kind::system);
         writeBytes(beside, recipe.data(), recipe.size());
       },
       std::move(saved));
@@ -154,13 +158,13 @@ std::string Session::recipeOfMesh(const Parameters& parameters) const {
 
 void Session::warnOfMesh() {
   if (!meshIsCurrent())
-    report(Message::Kind::warning,
-           "the surface that is saved is older than the parameters; the recipe beside it has its own");
+    log(LogLevel::warning,
+        "The surface that is saved is older than the parameters; the recipe beside it has its own.");
   if (!meshIsFinal())
-    report(
-        Message::Kind::warning,
-        "the surface that is saved was made with short cuts while the parameters moved: reconstruct it, and "
-        "save it again, for one that its recipe repeats");
+    log(LogLevel::warning,
+        "The surface that is saved was made with short cuts while the parameters moved; reconstruct it, and "
+        "save "
+        "it again, for one that its recipe repeats.");
 }
 
 void Session::saveMesh(const fs::path& path) {

@@ -86,7 +86,7 @@ void writeSettings(const fs::path& file, const Settings& settings) {
       std::ofstream stream(temporary);
       stream << text;
       stream.close();
-      require(bool(stream), "The settings could not be written.");
+      require(bool(stream), "The settings could not be written; check the room on the disk.");
     });
   } catch (const Error&) {
   }

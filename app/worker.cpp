@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin {
 
@@ -98,7 +99,7 @@ void Worker::runTask(Task task, std::unique_lock<std::mutex>& lock) {
     ended = true;
   } catch (const Cancelled&) {
   } catch (const std::exception& error) {
-    failure = error.what();
+    failure = errorText(error);
   }
   lock.lock();
   running_ = false;

@@ -22,7 +22,8 @@ CLI::Option* addChoices(CLI::App& command, const std::string& name, std::vector<
     values = CLI::detail::split(text, ',');
     for (const std::string& value : values) {
       if (std::ranges::count(names, value) == 0)
-        throw Error(fmt::format("{} {}: expected one or more of {}", name, text, fmt::join(names, ",")),
+        throw Error(fmt::format("{} {} is not known; give one or more of {}, with commas.", name, text,
+                                fmt::join(names, ", ")),
                     Error::Kind::usage);
     }
   };

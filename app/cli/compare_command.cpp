@@ -46,6 +46,7 @@ std::string comparisonJson(const CompareOptions& options, const Console& console
                  {"signed_median_mm", s.signedMedian},
                  {"normal_angle_deg", s.normalAngle}};
   }
+  json["warnings"] = console.warnings();
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -2,7 +2,6 @@
 
 #include "app/cli/streams.h"
 #include "app/input.h"
-#include "core/base/log.h"
 #include "core/base/parallel.h"
 
 namespace sonoskin {
@@ -11,6 +10,13 @@ namespace {
 constexpr int kMostThreads = 1024;
 
 }  // namespace
+
+Console::Console() {
+  setLogListener(
+      [this](LogLevel level, const std::string& sentence) { line_.say(logLine(level, sentence)); });
+}
+
+Console::~Console() { setLogListener({}); }
 
 void Console::addJson(CLI::App& command) {
   command.add_flag("--json", json_, "the result as one JSON object on standard output");

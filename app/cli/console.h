@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "app/cli/progress_line.h"
+#include "core/base/log.h"
 #include "core/base/progress.h"
 
 namespace sonoskin {
 
 // Console: what all commands share: results go to standard output, as text or as one JSON object; everything
-// else goes to standard error.
+// else goes to standard error, with what is logged while it lives.
 class Console {
  public:
+  Console();
+  ~Console();
   // addJson, addThreads, addNameInput: give a command the options --json, --threads and --name-input.
   void addJson(CLI::App& command);
   void addNameInput(CLI::App& command);
@@ -26,13 +29,16 @@ class Console {
   // a patient's; else nothing.
   std::string nameOf(const std::string& input) const;
 
-  // warn: a line each, above the result.
+  // warn: logs them.
   void warn(const std::vector<std::string>& sentences);
+  // warnings: all that were logged since the command began, for its result.
+  std::vector<std::string> warnings() const { return record_.sentences(LogLevel::warning); }
   // print: the result of a command, once, at its end.
   void print(const std::string& json, const std::string& text);
 
  private:
   ProgressLine line_;
+  LogRecord record_;
   bool json_ = false, namesInput_ = false;
 };
 

@@ -77,6 +77,7 @@ void printMesh(const std::string& file, Console& console) {
   nlohmann::ordered_json json;
   if (const std::string name = console.nameOf(file); !name.empty()) json["file"] = name;
   json.update(nlohmann::ordered_json::parse(factsJson(facts)));
+  json["warnings"] = console.warnings();
   console.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
                 inputName(file) + ":\n" + factsText(facts));
 }
@@ -88,7 +89,7 @@ void printVolume(const std::string& file, Console& console) {
 
 void info(const InfoOptions& options, Console& console) {
   if (options.file.empty() != options.formats)
-    throw Error("info needs either a FILE or --formats; see sonoskin info --help.", Error::Kind::usage);
+    throw Error("Either a FILE or --formats is needed; see sonoskin info --help.", Error::Kind::usage);
   if (options.formats)
     console.print(nlohmann::ordered_json{{"formats", formatTable()}}.dump(2), formatTable());
   else if (isMeshFile(options.file))

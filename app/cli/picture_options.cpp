@@ -32,9 +32,11 @@ void addSizeOption(CLI::App& command, glm::ivec2& size) {
   auto store = [&size](const std::string& text) {
     const auto parsed = parseSize(text);
     if (!parsed) {
-      throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT, {} to {} pixels each, such as {}x{}", text,
-                              kLeastSize, kMostSize, size.x, size.y),
-                  Error::Kind::usage);
+      throw Error(
+          fmt::format(
+              "--size {} is no size of a picture; give WIDTHxHEIGHT, {} to {} pixels each, such as {}x{}.",
+              text, kLeastSize, kMostSize, size.x, size.y),
+          Error::Kind::usage);
     }
     size = *parsed;
   };
@@ -47,7 +49,7 @@ void addSizeOption(CLI::App& command, glm::ivec2& size) {
 void addBackendOption(CLI::App& command, gl::Backend& backend) {
   auto store = [&backend](const std::string& name) {
     if (name != "egl" && name != "osmesa")
-      throw Error(fmt::format("--gl {}: expected egl or osmesa", name), Error::Kind::usage);
+      throw Error(fmt::format("--gl {} is not known; give egl or osmesa.", name), Error::Kind::usage);
     backend = name == "egl" ? gl::Backend::egl : gl::Backend::osmesa;
   };
   command

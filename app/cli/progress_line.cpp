@@ -39,6 +39,7 @@ void ProgressLine::endStage() {
 }
 
 void ProgressLine::draw(double fraction) {
+  const std::lock_guard lock(mutex_);
   if (drawn_ && lastDraw_.seconds() < kRedrawSeconds) return;
   const double f = std::clamp(fraction, 0.0, 1.0);
   const int filled = int(f * kBarWidth);
@@ -52,9 +53,12 @@ void ProgressLine::draw(double fraction) {
   lastDraw_ = Timer();
 }
 
-void ProgressLine::wipe() {
-  if (!drawn_) return;
-  std::fputs("\r\033[K", stderr);
+void ProgressLine::wipe() { say({}); }
+
+void ProgressLine::say(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (drawn_) std::fputs("\r\033[K", stderr);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = false;
 }

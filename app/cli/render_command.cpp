@@ -67,7 +67,7 @@ Made showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context&
 Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
   if (o.view != "skin" && o.view != "mesh") {
     throw Error(
-        fmt::format("--view {}: {} is a mesh; it can be shown as skin or mesh", o.view, o.files.volume),
+        fmt::format("--view {} is for volumes, and {} is a mesh; give skin or mesh.", o.view, o.files.volume),
         Error::Kind::usage);
   }
   console.beginStage("reading");
@@ -85,14 +85,16 @@ Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& c
 
 Made showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
   if (o.scale != 1 || o.flip)
-    throw Error("--scale and --flip are for meshes; of a volume correct the spacing in its header",
+    throw Error("--scale and --flip are for meshes; of a volume correct the spacing in its header.",
                 Error::Kind::usage);
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
   const Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);
   const auto compute = [&](Goal goal) {
-    return Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
-                          [&](const std::string& stage) { console.beginStage(stage); });
+    Results results = Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
+                                     [&](const std::string& stage) { console.beginStage(stage); });
+    console.warn(results.warnings);
+    return results;
   };
   const Region region = regionOf(scan, parameters.region);
   if (o.view == "volume") {
@@ -143,6 +145,7 @@ void render(RenderOptions& options, Console& console) {
   const Image& picture = made.baked ? made.baked->colour : made.picture;
   json["size"] = {picture.width, picture.height};
   json["gl"] = gl::glInfo();
+  json["warnings"] = console.warnings();
   json["seconds"] = timer.seconds();
   console.print(json.dump(2), fmt::format("{}: {} x {} pixels, {}", options.out, picture.width,
                                           picture.height, gl::glInfo()));

@@ -40,7 +40,6 @@ void run(RunOptions& options, Console& console) {
   batch.keepPoints = keeps("points");
   const Report report =
       runBatch(batch, console.progress(), [&](const std::string& stage) { console.beginStage(stage); });
-  console.warn(report.warnings);
   console.print(reportJson(report), reportText(report, batch.folder));
 }
 

@@ -18,7 +18,7 @@ void addEnum(CLI::App& command, const std::string& name, E& value, int skipped, 
   const auto store = [name, names, skipped, &value](const std::string& text) {
     const auto found = std::ranges::find(names, text);
     if (found == names.end())
-      throw Error(fmt::format("{} {}: expected one of {}", name, text, fmt::join(names, ", ")),
+      throw Error(fmt::format("{} {} is not known; give one of {}.", name, text, fmt::join(names, ", ")),
                   Error::Kind::usage);
     value = E(skipped + int(found - names.begin()));
   };
@@ -31,7 +31,7 @@ void addEnum(CLI::App& command, const std::string& name, E& value, int skipped, 
 void addQualityOption(CLI::App& command, SkinQuality& quality) {
   const auto store = [&quality](const std::string& name) {
     if (name != "full" && name != "light")
-      throw Error(fmt::format("--quality {}: expected full or light", name), Error::Kind::usage);
+      throw Error(fmt::format("--quality {} is not known; give full or light.", name), Error::Kind::usage);
     const bool own = quality.ownCoordinates;
     quality = name == "full" ? pictureQuality() : lightQuality();
     quality.ownCoordinates = own;
@@ -67,7 +67,8 @@ void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
 void checkSkinOptions(const SkinRenderOptions& options, const std::string& view, const std::string& out) {
   const auto onlyFor = [&](bool given, const char* name) {
     if (given && view != "skin")
-      throw Error(fmt::format("{}: only for --view skin, not {}", name, view), Error::Kind::usage);
+      throw Error(fmt::format("{} is for --view skin, not {}; leave one of the two out.", name, view),
+                  Error::Kind::usage);
   };
   onlyFor(options.look.pass != SkinPass::skin, "--pass");
   onlyFor(options.look.reference, "--reference");

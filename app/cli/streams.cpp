@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin {
 
@@ -27,7 +28,7 @@ void writeResult(const std::string& text) {
     }
     if (errno == EINTR) continue;
     if (errno == EPIPE) throw BrokenPipe{};
-    throw Error(fmt::format("The result could not be written to standard output: {}.", std::strerror(errno)),
+    throw Error(fmt::format("The result could not be written to standard output: {}.", systemCause(errno)),
                 Error::Kind::system);
   }
 }

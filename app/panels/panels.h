@@ -22,12 +22,13 @@ void drawSkinPanel(
     Workspace& workspace);  // where the 3D view shows skin: its look, the light, what is compared
 void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
 
-// The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time.
-void drawStatusBar(const Workspace& workspace);
+// The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time; at its right what opens the log.
+void drawStatusBar(Workspace& workspace);
 
 // Windows of their own.
 void drawKeys(Workspace& workspace);
 void drawAbout(Workspace& workspace);
 void drawQuestion(Workspace& workspace);  // before unsaved work is lost
+float drawLog(Workspace& workspace);  // all messages, at the lower right; its height, 0 while it is closed
 
 }  // namespace sonoskin::ui

@@ -7,6 +7,7 @@
 #include "app/panels/panels.h"
 #include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -54,18 +55,39 @@ void drawResultCells(const Session& session) {
   if (!results.stages.empty()) cell("Time", fmt::format("{:.2f} s", seconds));
 }
 
+// How many warnings were not seen yet; opens the log, or closes it.
+void drawMessagesButton(MessageLog& log) {
+  const std::string label = log.unseen == 1  ? std::string("1 warning")
+                            : log.unseen > 0 ? fmt::format("{} warnings", log.unseen)
+                                             : std::string("Messages");
+  const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - 12 * unit());
+  ImGui::PushStyleColor(ImGuiCol_Text, log.unseen > 0 ? kWarning : kFaintText);
+  const bool pressed = ImGui::Button((label + "###messages").c_str());
+  ImGui::PopStyleColor();
+  noteWidget("status.messages");
+  if (!pressed) return;
+  if (log.shown)
+    log.shown = false;
+  else
+    log.open();
+}
+
 }  // namespace
 
-void drawStatusBar(const Workspace& workspace) {
+void drawStatusBar(Workspace& workspace) {
   const Session& session = workspace.session;
+  const float top = ImGui::GetCursorPosY();
   ImGui::AlignTextToFramePadding();
-  if (!session.hasScan()) {
+  if (session.hasScan()) {
+    drawScanCells(session.scan(), workspace.view.cursor);
+    drawResultCells(session);
+    ImGui::NewLine();
+  } else {
     ImGui::TextDisabled("Drop a volume on the window, or press Ctrl+O");
-    return;
   }
-  drawScanCells(session.scan(), workspace.view.cursor);
-  drawResultCells(session);
-  ImGui::NewLine();
+  ImGui::SetCursorPosY(top);
+  drawMessagesButton(workspace.toasts.log);
 }
 
 }  // namespace sonoskin::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/theme.h"
+#include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -27,8 +28,9 @@ bool drawToast(const Toasts::Toast& toast, std::size_t number, float right, floa
                    ImGuiWindowFlags_NoNav);
   ImGui::PushTextWrapPos(390 * unit());
   ImGui::TextUnformatted(toast.text.c_str());
+  noteWidget(id);
   ImGui::PopTextWrapPos();
-  if (toast.failure) ImGui::TextDisabled("Click to close");
+  if (toast.failure) ImGui::TextDisabled("Click for all messages");
   const bool clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   bottom -= ImGui::GetWindowHeight() + 8 * unit();
   ImGui::End();
@@ -44,6 +46,8 @@ void Toasts::add(const std::string& text, bool failure) { show({text, failure});
 void Toasts::warn(const std::string& text) { show({text, false, true}); }
 
 void Toasts::show(Toast added) {
+  using Kind = MessageLog::Kind;
+  log.add(added.failure ? Kind::failure : added.warning ? Kind::warning : Kind::note, added.text);
   // The same sentence again and again (a slider in motion) is one message.
   std::erase_if(list, [&](const Toast& toast) { return toast.text == added.text; });
   list.push_back(std::move(added));
@@ -58,6 +62,7 @@ double drawToasts(Toasts& toasts, float right, float bottom) {
     if (toast->until == 0) toast->until = now + (toast->warning ? kWarningSeconds : kNoteSeconds);
     const bool clicked = drawToast(*toast, number, right, bottom);
     const double left = toast->until - now;
+    if (clicked) toasts.log.open();
     if (clicked || (!toast->failure && left <= 0)) {
       toast = toasts.list.erase(toast);
       continue;

@@ -75,7 +75,11 @@ void write3mf(const fs::path& path, const Mesh& mesh) {
   Assimp::Exporter exporter;
   const bool written = exporter.Export(assimpScene(mesh).get(), "3mf", path.string()) == aiReturn_SUCCESS;
   if (!written || !isWhole3mf(path))
-    throw Error("The surface could not be written as 3MF; the disk may be full.", Error::Kind::system);
+    throw Error(
+        fmt::format("{} could not be written as 3MF; the disk may be full, make room or choose another "
+                    "place.",
+                    path.filename().string()),
+        Error::Kind::system);
 }
 
 }  // namespace sonoskin

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -30,7 +31,8 @@ void checkTarget(const fs::path& target) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, code))
     failOnDisk("The folder {} does not exist; make it or choose another one.", folder.string());
-  if (target.filename().empty()) failOnDisk("{} names a folder, not a file.", target.string());
+  if (target.filename().empty())
+    failOnDisk("{} names a folder, not a file; add the name of a file.", target.string());
 }
 
 // Through a link to the file that it stands for, so that the link stays.
@@ -62,7 +64,9 @@ void writeBytes(const fs::path& target, const void* data, std::size_t bytes) {
     file.close();
     std::error_code code;
     if (!file || fs::file_size(temporary, code) != bytes)
-      failOnDisk("{} could not be written completely; the disk may be full.", target.string());
+      failOnDisk(
+          "{} could not be written completely; the disk may be full, make room or choose another place.",
+          target.string());
   });
 }
 
@@ -79,7 +83,7 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   fs::create_directories(folder_, code);
   if (!fs::is_directory(folder_)) {
     removeMade();
-    failOnDisk("The folder {} cannot be made: {}.", folder_.string(), code.message());
+    failOnDisk("The folder {} cannot be made: {}.", folder_.string(), systemCause(code.value()));
   }
   try {
     staging_.emplace(folder_);
@@ -97,7 +101,7 @@ OutputFolder::~OutputFolder() {
 fs::path OutputFolder::file(const std::string& name) {
   require(!name.empty() && name != "." && name != ".." && fs::path(name).filename() == fs::path(name) &&
               name.find('\n') == std::string::npos,
-          "{} is not a plain file name.", name);
+          "{} is not a plain file name; leave folders and line ends out.", name);
   return staging_->path() / name;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/dicom_lengths.h"
 #include "core/io/dicom_slice.h"
 #include "core/io/file_bytes.h"
@@ -50,15 +51,22 @@ Names seriesFiles(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   finder->SetInputDirectory((folder ? path : parent).string());
   Names largest;
+  int series = 0;
   for (const std::string& uid : Names(finder->GetSeriesUIDs())) {
     const Names names = finder->GetFileNames(uid);
     const bool holds = folder || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
                          return fs::equivalent(name, path);
                        });
+    series += holds;
     if (holds && names.size() > largest.size()) largest = names;
   }
+  if (series > 1)
+    log(LogLevel::info, fmt::format("The folder holds {} series; the largest, of {} slices, is used.", series,
+                                    largest.size()));
   if (largest.empty() && !folder) largest = {path.string()};
-  require(!largest.empty(), "There is no DICOM series in the folder {}.", path.string());
+  require(!largest.empty(),
+          "There is no DICOM series in the folder {}; choose the folder that holds its files.",
+          path.string());
   return largest;
 }
 
@@ -67,7 +75,8 @@ double sliceDistance(const std::vector<double>& along, const fs::path& path) {
   const double mean = (along.back() - along.front()) / double(along.size() - 1);
   for (std::size_t s = 1; s < along.size(); ++s)
     require(std::abs(along[s] - along[s - 1] - mean) <= 0.1 * std::abs(mean) && mean != 0,
-            "The slices of the series in {} are not evenly spaced; some may be missing.", path.string());
+            "The slices of the series in {} are not evenly spaced; some may be missing, get a complete copy.",
+            path.string());
   return mean;
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/dicom_slice.h"
 
+#include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
 
 #include <algorithm>
@@ -18,21 +19,31 @@ template <class Call>
 void guarded(const fs::path& path, Call&& call) {
   try {
     call();
+  } catch (const itk::MemoryAllocationError&) {
+    throw std::bad_alloc();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     throw Error(
-        fmt::format("{} holds no pixels that can be read; the copy is incomplete or of a kind that is not "
-                    "known here.",
+        fmt::format("{} holds no pixels that can be read: it is incomplete, or packed in a way that is not "
+                    "known here; get a fresh copy, or save it as NRRD.",
                     path.string()));
   }
 }
 
 }  // namespace
 
-DicomSlice::DicomSlice(const fs::path& path) : path_(path), io_(itk::GDCMImageIO::New()) {
+struct DicomSlice::Reader {
+  itk::GDCMImageIO::Pointer io = itk::GDCMImageIO::New();
+};
+
+DicomSlice::~DicomSlice() = default;
+
+DicomSlice::DicomSlice(const fs::path& path) : path_(path), reader_(std::make_unique<Reader>()) {
   checkDicomLengths(path);
-  io_->SetFileName(path.string());
-  guarded(path, [&] { io_->ReadImageInformation(); });
-  stored_ = describedBy(*io_, path);
+  reader_->io->SetFileName(path.string());
+  guarded(path, [&] { reader_->io->ReadImageInformation(); });
+  stored_ = describedBy(*reader_->io, path);
   stored_.format = "DICOM series";
   stored_.modality = modality();
   stored_.spacingKnown = text("0028|0030") || text("0018|1164") || text("0018|2010");
@@ -48,17 +59,18 @@ std::size_t DicomSlice::bytes() const {
 }
 
 void DicomSlice::read(std::uint8_t* out) {
-  itk::ImageIORegion region(io_->GetNumberOfDimensions());
-  for (unsigned a = 0; a < io_->GetNumberOfDimensions(); ++a) region.SetSize(a, io_->GetDimensions(a));
-  io_->SetIORegion(region);
-  require(std::size_t(io_->GetImageSizeInBytes()) == bytes(), "{} has a damaged header; get a fresh copy.",
-          path_.string());
-  guarded(path_, [&] { io_->Read(out); });
+  itk::ImageIORegion region(reader_->io->GetNumberOfDimensions());
+  for (unsigned a = 0; a < reader_->io->GetNumberOfDimensions(); ++a)
+    region.SetSize(a, reader_->io->GetDimensions(a));
+  reader_->io->SetIORegion(region);
+  require(std::size_t(reader_->io->GetImageSizeInBytes()) == bytes(),
+          "{} has a damaged header; get a fresh copy.", path_.string());
+  guarded(path_, [&] { reader_->io->Read(out); });
 }
 
 std::optional<std::string> DicomSlice::text(const char* tag) const {
   std::string found;
-  if (!itk::ExposeMetaData(io_->GetMetaDataDictionary(), tag, found)) return {};
+  if (!itk::ExposeMetaData(reader_->io->GetMetaDataDictionary(), tag, found)) return {};
   std::erase(found, '\0');
   return std::string(trimmed(found));
 }
@@ -87,7 +99,7 @@ std::optional<Padding> DicomSlice::padding() const {
   const auto scaled = [&](int given) {
     const int bits = isTurned ? white - std::min(given & 0xffff, white) : given;
     const double pixel = isSigned ? double(std::int16_t(bits)) : double(std::uint16_t(bits));
-    return float(io_->GetRescaleSlope() * pixel + io_->GetRescaleIntercept());
+    return float(reader_->io->GetRescaleSlope() * pixel + reader_->io->GetRescaleIntercept());
   };
   const float a = scaled(*value), b = scaled(number("0028|0121").value_or(*value));
   return Padding{std::min(a, b), std::max(a, b)};

@@ -1,21 +1,21 @@
 #pragma once
 
-#include <itkGDCMImageIO.h>
-
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "core/io/stored_volume.h"
 
 namespace sonoskin {
 
-// DicomSlice: one file of DICOM: what its numbers mean and, when asked for, the numbers. Only for dicom_series.cpp: it
-// shows ITK.
+// DicomSlice: one file of DICOM: what its numbers mean and, when asked for, the numbers.
 //   errors  Error: an element that is longer than the file; no pixels that can be read
 class DicomSlice {
  public:
   explicit DicomSlice(const std::filesystem::path& path);
+  ~DicomSlice();
 
   // stored: of its frames. Its padding is one range, after slope and intercept, where the file names one [DICOM PS3.3,
   // C.7.5.1.1.2].
@@ -26,13 +26,14 @@ class DicomSlice {
   void read(std::uint8_t* out);
 
  private:
+  struct Reader;  // of the library
   std::optional<std::string> text(const char* tag) const;
   std::optional<int> number(const char* tag) const;
   std::string modality() const;
   std::optional<Padding> padding() const;
 
   std::filesystem::path path_;
-  itk::GDCMImageIO::Pointer io_;
+  std::unique_ptr<Reader> reader_;
   StoredVolume stored_;
 };
 

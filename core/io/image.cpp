@@ -3,6 +3,7 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -27,12 +28,13 @@ void append(void* target, void* data, int bytes) {
 std::vector<std::uint8_t> encodePng(const Image& image) {
   const std::size_t bytes = 4 * std::size_t(image.width) * std::size_t(image.height);
   require(image.width > 0 && image.height > 0 && image.rgba.size() == bytes,
-          "A picture of {} x {} pixels with {} bytes cannot be written.", image.width, image.height,
-          image.rgba.size());
+          "A picture of {} x {} pixels with {} bytes cannot be written; it needs four bytes a pixel.",
+          image.width, image.height, image.rgba.size());
   std::vector<std::uint8_t> png;
   const int done =
       stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(), 4 * image.width);
-  require(done != 0, "A picture of {} x {} pixels could not be encoded.", image.width, image.height);
+  require(done != 0, "A picture of {} x {} pixels could not be packed; make it smaller.", image.width,
+          image.height);
   return png;
 }
 
@@ -47,14 +49,18 @@ Image readPng(const std::filesystem::path& path) {
   static constexpr std::uint8_t kMagic[] = {0x89, 'P', 'N', 'G'};
   require(png.size() > sizeof kMagic && png.size() < (1u << 30) &&
               !std::memcmp(png.data(), kMagic, sizeof kMagic),
-          "{} is not a PNG picture.", path.string());
+          "{} is not a PNG picture; convert it to PNG.", path.string());
   Image image;
   int channels = 0;
   const int size = int(png.size());
   // The size is looked at before anything is allocated for the pixels.
-  require(stbi_info_from_memory(png.data(), size, &image.width, &image.height, &channels) != 0 &&
-              image.width <= kMaxSide && image.height <= kMaxSide,
-          "{} is damaged or larger than {} x {} pixels.", path.string(), kMaxSide, kMaxSide);
+  const auto side = [&](std::size_t at) {  // most significant byte first
+    return std::uint64_t(png[at]) << 24 | std::uint64_t(png[at + 1]) << 16 | png[at + 2] << 8 | png[at + 3];
+  };
+  require(png.size() > 24, "{} is damaged or incomplete; get a fresh copy.", path.string());
+  require(std::max(side(16), side(20)) <= kMaxSide,
+          "{} has {} x {} pixels, more than {} x {}; make it smaller.", path.string(), side(16), side(20),
+          kMaxSide, kMaxSide);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(png.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
   require(pixels != nullptr, "{} is damaged or incomplete; get a fresh copy.", path.string());

@@ -43,9 +43,14 @@ template <class Call>
 void guarded(const fs::path& path, Call&& call) {
   try {
     call();
+  } catch (const itk::MemoryAllocationError&) {
+    throw std::bad_alloc();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     throw Error(fmt::format(
-        "{} holds no voxels that can be read; the copy is damaged or of a kind that is not known here.",
+        "{} holds no voxels that can be read: it is damaged, or of a kind that is not known here; "
+        "get a fresh copy, or save it in another format.",
         path.string()));
   }
 }
@@ -113,7 +118,7 @@ bool holdsAll(FileFormat format, const fs::path& path, const void* numbers, std:
   std::vector<std::uint8_t> read(bytes);
   io->Read(read.data());
   return std::memcmp(read.data(), numbers, bytes) == 0;
-} catch (const std::exception&) {
+} catch (const itk::ExceptionObject&) {
   return false;
 }
 
@@ -122,7 +127,9 @@ bool holdsAll(FileFormat format, const fs::path& path, const void* numbers, std:
 StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
   StoredVolume stored;
   const auto type = numberTypeOf(itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType()));
-  require(type.has_value(), "{} has numbers of a type that is not known here.", path.string());
+  require(type.has_value(),
+          "{} has numbers of a type that is not known here; save it with whole numbers or as float.",
+          path.string());
   stored.type = *type;
   stored.components = int(io.GetNumberOfComponents());
   Geometry& g = stored.geometry;
@@ -183,8 +190,10 @@ void writeWithItk(FileFormat format, const fs::path& path, const StoredVolume& s
     }
     progress.update(0.7);
     if (!written || !holdsAll(format, temporary, numbers, bytes))
-      throw Error(fmt::format("{} could not be written; the disk may be full.", path.string()),
-                  Error::Kind::system);
+      throw Error(
+          fmt::format("{} could not be written; the disk may be full, make room or choose another place.",
+                      path.string()),
+          Error::Kind::system);
     progress.throwIfCancelled();
   });
   progress.update(1);

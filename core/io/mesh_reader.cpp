@@ -137,10 +137,15 @@ Mesh readWithAssimp(const fs::path& path, FileFormat format) {
   try {
     scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(),
                                         aiProcess_Triangulate | aiProcess_RemoveComponent, hint.c_str());
-  } catch (const std::exception&) {  // such as std::bad_alloc, which assimp lets through
+    if (!scene && importer.GetException()) std::rethrow_exception(importer.GetException());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {  // its own words may quote the file
   }
-  require(scene && scene->mRootNode, "{} is damaged, incomplete or of a kind that is not known here.",
-          path.string());
+  require(
+      scene && scene->mRootNode,
+      "{} is damaged, incomplete or of a kind that is not known here; get a fresh copy, or save it as PLY.",
+      path.string());
   return Collector(*scene, path).collect();
 }
 
@@ -179,7 +184,7 @@ Mesh parseMesh(const fs::path& path, const Progress& progress) {
   progress.update(0);
   Mesh mesh = format == FileFormat::ply ? readPly(path, progress.part(0, 0.9)) : readWithAssimp(path, format);
   progress.update(0.9);
-  require(!mesh.empty(), "{} holds no triangles; choose a surface.", path.string());
+  require(!mesh.empty(), "{} holds no triangles; choose a file with a surface.", path.string());
   checkExtent(mesh, path);
   if (format == FileFormat::glb)
     turn(

@@ -30,18 +30,21 @@ Bytes (*encoderOf(FileFormat format))(const Mesh&) {
 // A mesh that contradicts itself would become a damaged file.
 void checkWritable(const Mesh& mesh) {
   const std::size_t n = mesh.positions.size();
-  require(!mesh.empty(), "There is no surface to write.");
+  require(!mesh.empty(), "There is no surface to write; make one first.");
   require((mesh.normals.empty() || mesh.normals.size() == n) &&
               (mesh.visibility.empty() || mesh.visibility.size() == n) &&
               (mesh.measured.empty() || mesh.measured.size() == n) &&
               (mesh.labels.empty() || mesh.labels.size() == n),
-          "The surface has {} vertices but {} normals, {} visibilities, {} measured shares and {} labels.", n,
-          mesh.normals.size(), mesh.visibility.size(), mesh.measured.size(), mesh.labels.size());
+          "The surface has {} vertices but {} normals, {} visibilities, {} measured shares and {} labels; "
+          "each is for "
+          "all or for none.",
+          n, mesh.normals.size(), mesh.visibility.size(), mesh.measured.size(), mesh.labels.size());
   for (const glm::vec3& p : mesh.positions)
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
-            "The surface has a vertex at no finite position.");
+            "The surface has a vertex at no finite position; make it anew.");
   for (const Triangle& t : mesh.triangles)
-    require(std::max({t[0], t[1], t[2]}) < n, "A triangle of the surface uses a vertex that does not exist.");
+    require(std::max({t[0], t[1], t[2]}) < n,
+            "A triangle of the surface uses a vertex that does not exist; make it anew.");
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ void checkPlace(const Meta& meta, std::size_t n, const fs::path& path) {
   checkNumbers(meta, {"Offset", "Position", "Origin", "CenterOfRotation", "SequenceID"}, n, "origin", path);
   checkNumbers(meta, {"TransformMatrix", "Orientation", "Rotation"}, n * n, "direction of the axes", path);
   checkNumbers(meta, {"Color"}, 4, "colour", path);
-  require(meta["AnatomicalOrientation"].size() <= n, "The orientation in {} is not one letter per axis.",
-          path.string());
+  require(meta["AnatomicalOrientation"].size() <= n,
+          "The orientation in {} is not one letter per axis; correct the header.", path.string());
 }
 
 void placePacked(const Meta& meta, bool local, const fs::path& path, DeclaredData& data) {
@@ -122,8 +122,10 @@ DeclaredData metaData(const fs::path& path) {
           "The DimSize in {} is not {} numbers; get a fresh copy.", path.string(), *dimensions);
   data.sizes = *sizes;
   data.bytesPerNumber = typeBytes(meta["ElementType"]);
-  require(data.bytesPerNumber > 0, "{} has numbers of the type \"{}\", which is not known here.",
-          path.string(), meta["ElementType"].substr(0, 20));
+  require(
+      data.bytesPerNumber > 0,
+      "{} has numbers of the type \"{}\", which is not known here; save it with whole numbers or as float.",
+      path.string(), meta["ElementType"].substr(0, 20));
   const std::string_view channels = meta["ElementNumberOfChannels"];
   const auto components = parseNumber<int>(channels.empty() ? "1" : channels);
   require(components && *components >= 1 && *components <= 4,

@@ -68,7 +68,8 @@ std::vector<std::int64_t> sizesOf(const Header& header, const fs::path& path) {
   require(dimensions >= 3 && dimensions <= 7, "{} has {} dimensions; a volume has 3, or 4 with time.",
           path.string(), dimensions);
   for (int n = 5; n <= dimensions; ++n)
-    require(header.dim(n) == 1, "{} has more than one number per voxel, which is not known here.",
+    require(header.dim(n) == 1,
+            "{} has more than one number per voxel, which is not known here; save one of them.",
             path.string());
   std::vector<std::int64_t> sizes;
   for (int n = 1; n <= std::min<std::int64_t>(dimensions, 4); ++n) sizes.push_back(header.dim(n));
@@ -101,7 +102,9 @@ DeclaredData niftiData(const fs::path& path) {
   data.sizes = sizesOf(header, path);
   const int code = header.get<std::int16_t>(70);
   const auto [numberBytes, components] = typeOf(code);
-  require(numberBytes > 0, "{} has numbers of the type {}, which is not known here.", path.string(), code);
+  require(numberBytes > 0,
+          "{} has numbers of the type {}, which is not known here; save it with whole numbers or as float.",
+          path.string(), code);
   data.bytesPerNumber = numberBytes;
   data.components = components;
   checkPlace(header, path);

@@ -143,8 +143,10 @@ DeclaredData nrrdData(const fs::path& path) {
   DeclaredData data;
   data.sizes = sizesOf(nrrd, path);
   data.bytesPerNumber = typeBytes(lowerCase(nrrd["type"]));
-  require(data.bytesPerNumber > 0, "{} has numbers of the type \"{}\", which is not known here.",
-          path.string(), nrrd["type"].substr(0, 20));
+  require(
+      data.bytesPerNumber > 0,
+      "{} has numbers of the type \"{}\", which is not known here; save it with whole numbers or as float.",
+      path.string(), nrrd["type"].substr(0, 20));
   checkSpace(nrrd, path);
   checkKinds(nrrd, data, path);
   placeData(nrrd, path, data);

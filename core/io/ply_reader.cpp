@@ -258,8 +258,8 @@ void readFaces(const Element& element, Body& body, Mesh& mesh, const fs::path& p
 }
 
 void checkResult(const Mesh& mesh, const fs::path& path) {
-  require(!mesh.positions.empty() && !mesh.triangles.empty(), "{} holds no triangles; choose a surface.",
-          path.string());
+  require(!mesh.positions.empty() && !mesh.triangles.empty(),
+          "{} holds no triangles; choose a file with a surface.", path.string());
   for (const glm::vec3& p : mesh.positions)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) failBody(path);
   for (const Triangle& t : mesh.triangles)

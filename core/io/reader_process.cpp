@@ -5,10 +5,10 @@
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,40 +16,33 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <mutex>
 #include <new>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/base/timer.h"
-#include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
+#include "core/io/reader_limits.h"
 #include "core/io/reader_wire.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uintmax_t kLeastMemory = 256u << 20, kMostPacked = 1100;
-constexpr double kLeastSeconds = 5, kSecondsPerMegabyte = 0.25;  // of the processor; by the clock twice that
-
-// Limits: what the process may use for one file.
-struct Limits {
-  std::uint64_t memory = kLeastMemory;  // bytes
-  double seconds = kLeastSeconds;
-};
-
+constexpr int kMostLogged = 20;  // of what a process led astray may say
 // Request: what the server is told, with two descriptors: of the memory for the answer, and of the line for messages.
 struct Request {
   ReaderTask task = ReaderTask::volume;
-  Limits limits;
+  ReaderLimits limits;
   std::array<char, 4096> path{};
 };
 
-// Message: what comes back on the line. `ended` is an Error of the kind `value`, with its text.
+// Message: what comes back on the line. `ended` is an Error of the kind `value`, with its text; `logged` has a level,
+// `broken` a ReaderEnd.
 struct Message {
-  enum class What : std::uint8_t { begun, progress, done, ended, noMemory } what = What::begun;
+  enum class What : std::uint8_t { begun, progress, logged, done, ended, broken } what = What::begun;
   double value = 0;  // begun: process; progress: share
   std::array<char, 2000> text{};
 };
@@ -75,21 +68,6 @@ class Descriptor {
 };
 
 // ---- The process that reads one file ----
-
-void limitTo(const Limits& limits) {
-  const auto set = [](auto what, rlim_t most) {
-    const rlimit limit{most, most};
-    ::setrlimit(what, &limit);
-  };
-  set(RLIMIT_CORE, 0);
-  set(RLIMIT_CPU, rlim_t(limits.seconds));
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  std::ifstream statm("/proc/self/statm");
-  std::uint64_t pages = 0;
-  statm >> pages;
-  set(RLIMIT_AS, pages * std::uint64_t(::sysconf(_SC_PAGESIZE)) + limits.memory);
-#endif
-}
 
 // Adds a file, or a folder with all in it, to what may be read; false where that fails.
 bool allow(int ruleset, const fs::path& path, std::uint64_t access) {
@@ -146,6 +124,9 @@ void writeAll(int file, const void* data, std::size_t bytes) {
   seeOnly(folder);
   ProgressSink sink;
   sink.report = [&](double share) { say(line, Message::What::progress, share); };
+  setLogListener([&](LogLevel level, const std::string& sentence) {
+    say(line, Message::What::logged, double(level), sentence);
+  });
   try {
     performTask(
         request.task, path, [&](const void* data, std::size_t bytes) { writeAll(answer, data, bytes); },
@@ -154,9 +135,26 @@ void writeAll(int file, const void* data, std::size_t bytes) {
   } catch (const Error& error) {
     say(line, Message::What::ended, double(error.kind()), error.what());
   } catch (const std::bad_alloc&) {
-    say(line, Message::What::noMemory);
+    say(line, Message::What::broken, double(ReaderEnd::outOfMemory));
   } catch (...) {
   }  // the end without a word says enough
+  ::_exit(0);
+}
+
+// Waits for the process that reads, and says how it ended; after its own last word nobody listens any more.
+[[noreturn]] void attend(const Request& request, int answer, int line) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGCHLD, SIG_DFL);
+  const std::uint64_t before = residentBytes();
+  const pid_t reader = ::fork();
+  if (reader == 0) work(request, answer, line);
+  ::close(answer);
+  rusage usage{};
+  int status = 0;
+  while (::wait4(reader, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  const ReaderEnd end = reader < 0 ? ReaderEnd::killed : endOf(status, usage, request.limits, before);
+  say(line, Message::What::broken, double(end));
   ::_exit(0);
 }
 
@@ -189,7 +187,7 @@ std::optional<std::array<int, 2>> receive(int socket, Request& request) {
   while (const auto descriptors = receive(socket, request)) {
     if (::fork() == 0) {
       ::close(socket);
-      work(request, (*descriptors)[0], (*descriptors)[1]);
+      attend(request, (*descriptors)[0], (*descriptors)[1]);
     }
     for (const int descriptor : *descriptors) ::close(descriptor);
   }
@@ -213,29 +211,6 @@ bool sendRequest(const Request& request, std::array<int, 2> descriptors) {
   return ::sendmsg(server, &message, MSG_NOSIGNAL) == ssize_t(sizeof copy);
 }
 
-// Bytes of what a reader of this path may look at: the file, or all files of the folder where a header or a series names
-// others.
-std::uintmax_t bytesOf(const fs::path& path) {
-  const std::string extension = lowerExtension(path);
-  const bool isFolder = fs::is_directory(path);
-  if (!isFolder && extension != ".mhd" && extension != ".nhdr" && !isDicom(path)) return fileSize(path);
-  std::uintmax_t bytes = 0;
-  std::error_code code;
-  const fs::path folder = isFolder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
-  for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(code)) bytes += entry.file_size(code);
-  return bytes;
-}
-
-Limits limitsFor(const fs::path& path) {
-  const std::uintmax_t bytes = bytesOf(path);
-  const auto physical = std::uintmax_t(::sysconf(_SC_PHYS_PAGES)) * std::uintmax_t(::sysconf(_SC_PAGESIZE));
-  Limits limits;
-  limits.memory = std::max(kLeastMemory, std::min(kLeastMemory + kMostPacked * bytes, physical / 2));
-  limits.seconds = kLeastSeconds + kSecondsPerMegabyte * double(bytes) / 1e6;
-  return limits;
-}
-
 // Reader: the process that reads for this program; it ends with it.
 class Reader {
  public:
@@ -246,10 +221,12 @@ class Reader {
     std::array<int, 2> line{-1, -1};
     Request request{task, limits_, {}};
     const std::string name = path.string();
-    require(name.size() < request.path.size(), "{} is too long a name.", name.substr(0, 80) + "...");
+    require(name.size() < request.path.size(), "{} is too long a name; give the file a shorter one.",
+            name.substr(0, 80) + "...");
     std::memcpy(request.path.data(), name.data(), name.size());
     if (answer_.number() < 0 || ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, line.data()) != 0)
-      throw Error("No file can be read: the system gives no memory or sockets.", Error::Kind::system);
+      throw Error("No file can be read: the system gives no memory or sockets; close other programs.",
+                  Error::Kind::system);
     line_ = line[0];
     const Descriptor theirs(line[1]);
     if (!sendRequest(request, {answer_.number(), line[1]}))
@@ -270,8 +247,7 @@ class Reader {
       progress.throwIfCancelled();
       pollfd ready{line_, POLLIN, 0};
       if (::poll(&ready, 1, kLookEvery) > 0 && take(progress)) return;
-      require(timer.seconds() < 2 * limits_.seconds, "{} takes too long to read; get a fresh copy.",
-              path_.string());
+      if (timer.seconds() > 2 * limits_.seconds) throw endError(ReaderEnd::outOfTime, path_, limits_);
     }
   }
 
@@ -285,9 +261,7 @@ class Reader {
     if (got < 0 && errno == EINTR) return false;
     if (got != ssize_t(sizeof message)) {
       process_ = 0;
-      throw Error(fmt::format(
-          "{} cannot be read: it is damaged, or of a kind that is not known here; get a fresh copy.",
-          path_.string()));
+      throw endError(ReaderEnd::killed, path_, limits_);  // the one that attends has gone too
     }
     message.text.back() = 0;
     switch (message.what) {
@@ -297,13 +271,17 @@ class Reader {
       case Message::What::progress:
         progress.update(std::clamp(message.value, 0.0, 1.0));
         return false;
+      case Message::What::logged:
+        if (++logged_ <= kMostLogged)
+          log(message.value == double(LogLevel::warning) ? LogLevel::warning : LogLevel::info,
+              message.text.data());
+        return false;
       case Message::What::ended:
         process_ = 0;
         throw Error(message.text.data(), Error::Kind(std::clamp(int(message.value), 0, 2)));
-      case Message::What::noMemory:
+      case Message::What::broken:
         process_ = 0;
-        throw Error(fmt::format("{} needs far more memory than a file of its size should; get a fresh copy.",
-                                path_.string()));
+        throw endError(ReaderEnd(std::clamp(int(message.value), 0, int(ReaderEnd::killed))), path_, limits_);
       case Message::What::done:
         break;
     }
@@ -312,10 +290,11 @@ class Reader {
   }
 
   fs::path path_;
-  Limits limits_;
+  ReaderLimits limits_;
   Descriptor answer_;
   int line_ = -1;
   pid_t process_ = 0;
+  int logged_ = 0;
 };
 
 }  // namespace

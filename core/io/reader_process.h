@@ -35,11 +35,10 @@ void startReaders();
 bool readersRun();
 
 // readApart: reads a file, or a folder with a DICOM series, in a process that has
-//   memory  for a file of its size: 256 MB, and 1100 times the size at most (what zlib can unpack), of half of the
-//           machine's
-//   time    10 s, and half a second for every megabyte
+//   memory, time  for a file of its size: reader_limits.h
 //   files   read-only, those in the folder of what is read and those that links there lead to, where the kernel has Landlock (Linux 5.13); no new ones
-//   errors  Error: that of the reader; or the process ended, took too long or too much memory; not an ordinary file.
+//   errors  Error: that of the reader; or the process broke down, took too long, too much memory, or was killed, told
+//           apart; not an ordinary file.
 //           Cancelled: the process is killed
 //   threads any, several at once
 ReaderAnswer readApart(ReaderTask task, const std::filesystem::path& path, const Progress& progress = {});

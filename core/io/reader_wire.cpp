@@ -69,7 +69,8 @@ class Taker {
     bytes_ = bytes_.subspan(bytes);
   }
   void check(bool holds) const {
-    require(holds, "{} cannot be read: it is damaged; get a fresh copy.", path_.string());
+    require(holds, "{} gave numbers that contradict each other: it is damaged; get a fresh copy.",
+            path_.string());
   }
 
   std::span<const std::uint8_t> bytes_;
@@ -159,7 +160,8 @@ LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& pa
   LoadedVolume volume;
   takeOptionals(taker, volume.stored);
   walkVolume(taker, volume);
-  require(isSound(volume), "{} cannot be read: it is damaged; get a fresh copy.", path.string());
+  require(isSound(volume), "{} gave numbers that contradict each other: it is damaged; get a fresh copy.",
+          path.string());
   checkGeometry(volume.stored, path);
   return volume;
 }

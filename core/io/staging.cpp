@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -71,7 +72,7 @@ class Folder {
 std::string randomName() {
   std::uint64_t numbers[2];
   if (::getrandom(numbers, sizeof numbers, 0) != ssize_t(sizeof numbers))
-    failOnDisk("The system gives no random numbers: {}.", std::strerror(errno));
+    failOnDisk("The system gives no random numbers: {}.", systemCause(errno));
   return fmt::format("{}{:016x}{:016x}", kPrefix, numbers[0], numbers[1]);
 }
 
@@ -94,7 +95,7 @@ bool isTakenByOther(const fs::path& target) {
 void moveInto(const fs::path& from, const fs::path& to) {
   std::error_code code;
   fs::rename(from, to, code);
-  if (code) failOnDisk("{} could not be written: {}.", to.string(), code.message());
+  if (code) failOnDisk("{} could not be written: {}.", to.string(), systemCause(code.value()));
 }
 
 // Where a name leads: through a link to the file that it stands for.
@@ -112,7 +113,7 @@ void copyInto(const fs::path& from, const fs::path& to) {
   fs::copy_file(from, beside, code);
   if (code) {
     fs::remove(beside, ignored);
-    failOnDisk("{} could not be written: {}.", to.string(), code.message());
+    failOnDisk("{} could not be written: {}.", to.string(), systemCause(code.value()));
   }
   flushFile(beside);
   moveInto(beside, to);
@@ -127,7 +128,7 @@ void giveName(const fs::path& from, const fs::path& target) {
   if (fs::is_regular_file(old)) fs::permissions(from, old.permissions(), code);
   fs::rename(from, to, code);
   if (code == std::errc::cross_device_link) return copyInto(from, to);
-  if (code) failOnDisk("{} could not be written: {}.", target.string(), code.message());
+  if (code) failOnDisk("{} could not be written: {}.", target.string(), systemCause(code.value()));
 }
 
 std::string numberOf(const fs::path& folder) {
@@ -147,7 +148,10 @@ void writeJournal(const fs::path& staging, const std::vector<std::string>& lines
     journal << numberOf(staging) << '\n';
     for (const std::string& line : lines) journal << line << '\n';
     journal.close();
-    if (!journal) failOnDisk("{} could not be written completely; the disk may be full.", staging.string());
+    if (!journal)
+      failOnDisk(
+          "{} could not be written completely; the disk may be full, make room or choose another place.",
+          staging.string());
   }
   flushFile(staging / kUnfinishedJournal);
   moveInto(staging / kUnfinishedJournal, staging / kJournal);
@@ -185,7 +189,7 @@ void flushFile(const fs::path& file) {
   const int error = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (!flushed && error != EINVAL)  // some file systems have nothing to flush
-    failOnDisk("{} could not be written completely: {}.", file.filename().string(), std::strerror(error));
+    failOnDisk("{} could not be written completely: {}.", file.filename().string(), systemCause(error));
 }
 
 void finishInterrupted(const fs::path& folder) {
@@ -212,7 +216,7 @@ Staging::Staging(const fs::path& folder) : folder_(fs::absolute(folder.empty() ?
   if (!isOwnName(folder_) && outer.lock()) finishInterrupted(folder_);
   path_ = folder_ / randomName();
   if (::mkdir(path_.c_str(), 0700) != 0)
-    failOnDisk("The folder {} cannot be written: {}.", folder.string(), std::strerror(errno));
+    failOnDisk("The folder {} cannot be written: {}.", folder.string(), systemCause(errno));
   Folder inner(path_);
   inner.tryLock();
   lock_ = inner.release();

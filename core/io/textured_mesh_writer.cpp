@@ -24,16 +24,17 @@ bool isPicture(const Image& image) {
 
 void check(const TexturedMesh& surface) {
   const Mesh& mesh = surface.mesh;
-  require(!mesh.empty(), "There are no triangles to write.");
-  require(surface.uv.size() == mesh.positions.size() && mesh.normals.size() == mesh.positions.size(),
-          "A surface with pictures needs a normal and a place in the pictures for every vertex.");
+  require(!mesh.empty(), "There is no surface to write; make one first.");
+  require(
+      surface.uv.size() == mesh.positions.size() && mesh.normals.size() == mesh.positions.size(),
+      "A surface with pictures needs a normal and a place in the pictures for every vertex; bake it anew.");
   const bool fits = std::ranges::all_of(mesh.triangles, [&](const Triangle& t) {
     return std::ranges::all_of(t, [&](std::uint32_t v) { return v < mesh.positions.size(); });
   });
-  require(fits, "A triangle names a vertex that is not there.");
-  require(isPicture(surface.colour), "A surface with pictures needs a colour.");
+  require(fits, "A triangle of the surface uses a vertex that does not exist; make it anew.");
+  require(isPicture(surface.colour), "A surface with pictures needs a colour; bake it anew.");
   require(surface.lit || (isPicture(surface.normals) && isPicture(surface.finish)),
-          "A surface with pictures needs normals and a finish.");
+          "A surface with pictures needs normals and a finish; bake it anew.");
 }
 
 aiTexture* embedded(const Image& image) {

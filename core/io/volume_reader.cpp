@@ -22,13 +22,17 @@ int timeStepsOf(const StoredVolume& stored) {
   return stored.timeIsFastest ? stored.components : stored.timeSteps;
 }
 
-}  // namespace
+// What of a file is used where it holds more. Does not name it: its name may be a patient's.
+void noteChoices(const StoredVolume& stored, const char* what) {
+  if (const int steps = timeStepsOf(stored); steps > 1)
+    log(LogLevel::info, fmt::format("The {} has {} time steps; the first is used.", what, steps));
+  if (stored.components > 1 && !stored.timeIsFastest)
+    log(LogLevel::info, fmt::format("The {} is in colour; its grey is used.", what));
+}
 
-namespace {
-
-Scan read(const fs::path& path, const Progress& progress, bool outside) {
+Scan read(const fs::path& path, const Progress& progress, bool isScan) {
   const LoadedVolume loaded = load(path, progress.part(0, 0.6));
-  NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1), outside);
+  NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1), isScan);
   Scan scan;
   scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));
   scan.originalMin = normalised.originalMin;
@@ -38,9 +42,7 @@ Scan read(const fs::path& path, const Progress& progress, bool outside) {
   scan.beam = loaded.stored.beam;
   scan.modality = loaded.stored.modality;
   scan.key = scanKey(*scan.volume, scan.beam);
-  if (const int steps = timeStepsOf(loaded.stored); steps > 1)
-    log(LogLevel::info,
-        fmt::format("{} has {} time steps; the first is used.", path.filename().string(), steps));
+  noteChoices(loaded.stored, isScan ? "scan" : "mask");
   return scan;
 }
 

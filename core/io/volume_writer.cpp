@@ -23,7 +23,7 @@ void write(const fs::path& path, const Volume<T>& volume, const std::optional<Be
         fmt::format("{} would lose the direction of the volume's axes; write .nrrd instead.", path.string()),
         Error::Kind::usage);
   require(g.dims.x > 0 && g.dims.y > 0 && g.dims.z > 0 && volume.data.size() == g.voxels(),
-          "There is no volume to write to {}.", path.string());
+          "There is no volume to write to {}; open one first.", path.string());
   StoredVolume stored;
   stored.geometry = g;
   stored.type = std::is_same_v<T, float> ? NumberType::float32 : NumberType::uint8;
@@ -45,7 +45,7 @@ void writeVolume(const fs::path& path, const Volume<std::uint8_t>& volume, const
 }
 
 void writeScan(const fs::path& path, const Scan& scan, const Progress& progress) {
-  require(scan.volume != nullptr, "There is no volume to write to {}.", path.string());
+  require(scan.volume != nullptr, "There is no volume to write to {}; open one first.", path.string());
   if (scan.originalType != "uint8") return writeVolume(path, *scan.volume, scan.beam, progress);
   Volume<std::uint8_t> bytes(scan.volume->geometry);
   std::transform(scan.volume->data.begin(), scan.volume->data.end(), bytes.data.begin(),

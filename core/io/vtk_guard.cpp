@@ -20,18 +20,21 @@ void checkNumbers(const Words& line, const fs::path& path) {
 
 void readScalars(const Words& line, const fs::path& path, DeclaredData& data) {
   const auto type = line.size() >= 3 ? numberTypeOf(lowerCase(line[2])) : std::nullopt;
-  require(type.has_value(), "{} has voxels of a type that is not known here.", path.string());
+  require(type.has_value(),
+          "{} has numbers of a type that is not known here; save it with whole numbers or as float.",
+          path.string());
   data.bytesPerNumber = numberTypeBytes(*type);
   const auto components = line.size() >= 4 ? parseNumber<int>(line[3]) : 1;
-  require(components && *components >= 1 && *components <= 4, "{} does not say how many numbers a voxel has.",
-          path.string());
+  require(components && *components >= 1 && *components <= 4,
+          "{} does not say how many numbers a voxel has; get a fresh copy.", path.string());
   data.components = *components;
 }
 
 void readLine(const std::string& keyword, const Words& line, const fs::path& path, DeclaredData& data) {
   if (keyword == "dataset") {
     require(line.size() == 2 && lowerCase(line[1]) == "structured_points",
-            "{} does not hold a volume on a regular grid (STRUCTURED_POINTS).", path.string());
+            "{} does not hold a volume on a regular grid (STRUCTURED_POINTS); resample it to one.",
+            path.string());
   } else if (keyword == "dimensions") {
     checkNumbers(line, path);
     for (std::size_t a = 1; a < 4; ++a) data.sizes.push_back(parseNumber<int>(line[a]).value_or(0));
@@ -41,8 +44,8 @@ void readLine(const std::string& keyword, const Words& line, const fs::path& pat
   } else if (keyword == "scalars") {
     readScalars(line, path, data);
   } else {
-    require(keyword == "point_data", "{} has a line \"{}\" that is not known here.", path.string(),
-            line[0].substr(0, 20));
+    require(keyword == "point_data", "{} has a line \"{}\" that is not known here; save it again without.",
+            path.string(), line[0].substr(0, 20));
   }
 }
 

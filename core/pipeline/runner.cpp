@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin {
 namespace {
@@ -86,7 +87,7 @@ void Runner::runRequest(const Request& request) {
     const std::lock_guard lock(mutex_);
     if (!sink_.cancel) results_ = std::move(results);  // else it ended before it saw that nobody wants it
   };
-  const auto fail = [this](const char* sentence) {
+  const auto fail = [this](const std::string& sentence) {
     const std::lock_guard lock(mutex_);
     if (!sink_.cancel) status_.error = sentence;
   };
@@ -109,10 +110,8 @@ void Runner::runRequest(const Request& request) {
     status_.fraction = 1;
   } catch (const Cancelled&) {
     // Either a newer request waits, or the person asked to stop: nothing to say.
-  } catch (const std::bad_alloc&) {
-    fail("there is not enough memory for this volume: close other programs or crop the volume");
-  } catch (const std::exception& e) {
-    fail(e.what());
+  } catch (const std::exception& error) {
+    fail(errorText(error));
   }
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -90,6 +92,49 @@ TEST(RunCommand, WarnsOfWhatIsNoSkinAndMakesItsSurface) {
             std::string::npos)
       << result.err;
   EXPECT_GT(report["triangles"].get<int>(), 0);
+}
+
+// Notes and warnings are on standard error and in the report, in the file as in the result; and name no file.
+TEST(RunCommand, WhatIsSaidIsInTheReport) {
+  const TempFolder folder;
+  const Volume<float> ball = ballInAir();
+  const glm::ivec3 d = ball.geometry.dims;
+  std::string colours;
+  for (const float v : ball.data) colours += std::string(3, char(int(255 * v)));
+  const auto file = folder.write("Doe^Jane.nrrd", fmt::format("NRRD0004\ntype: uint8\ndimension: 4\n"
+                                                              "sizes: 3 {} {} {}\nencoding: raw\n"
+                                                              "kinds: RGB-color domain domain domain\n\n",
+                                                              d.x, d.y, d.z) +
+                                                      colours);
+  const ProgramResult result = sonoskin({"run", file.string(), "--out", (folder / "out").string(), "--json",
+                                         "--size", "64x64", "--mesh.resolution", "60"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const nlohmann::json printed = nlohmann::json::parse(result.out),
+                       written = nlohmann::json::parse(fileText(folder / "out/report.json"));
+  for (const nlohmann::json& report : {printed, written}) {
+    EXPECT_NE(report["notes"].dump().find("is in colour"), std::string::npos) << report["notes"];
+    EXPECT_NE(report["warnings"].dump().find("no spacing"), std::string::npos) << report["warnings"];
+    for (const char* kind : {"notes", "warnings"})
+      for (const std::string sentence : report[kind]) {
+        EXPECT_NE(result.err.find(": " + sentence + "\n"), std::string::npos) << sentence << result.err;
+        EXPECT_EQ(sentence.find("Doe"), std::string::npos) << sentence;
+      }
+  }
+}
+
+// Not only a run doubts a scan.
+TEST(RenderCommand, WarnsOfWhatIsNoSkin) {
+  const TempFolder folder;
+  writeVolume(folder / "ball.nrrd", ballInAir());
+  const ProgramResult result =
+      sonoskin({"render", (folder / "ball.nrrd").string(), "--out", (folder / "a.png").string(), "--json",
+                "--view", "mesh", "--size", "64x64", "--mesh.resolution", "60"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const nlohmann::json json = nlohmann::json::parse(result.out);
+  ASSERT_EQ(json["warnings"].size(), 1u) << result.out;
+  EXPECT_NE(result.err.find("sonoskin: warning: " + json["warnings"][0].get<std::string>()),
+            std::string::npos)
+      << result.err;
 }
 
 TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {

@@ -59,10 +59,12 @@ TEST_F(Streams, FilesThatMayNotGrowAreAnError) {
 
 TEST_F(Streams, RecipesThatAreNoFilesAreRefusedAtOnce) {
   ASSERT_EQ(std::system(("mkfifo " + (folder / "pipe").string()).c_str()), 0);
-  for (const std::string& recipe :
-       {(folder / "pipe").string(), folder.path().string(), std::string("/dev/zero")}) {
+  const std::string ordinary = "not an ordinary file";
+  for (const auto& [recipe, words] : {std::pair{(folder / "pipe").string(), ordinary},
+                                      {folder.path().string(), std::string("is a folder, not a file")},
+                                      {std::string("/dev/zero"), ordinary}}) {
     EXPECT_EQ(shell("", "recipe --recipe " + recipe + " >/dev/null 2>" + err), 3) << recipe;
-    EXPECT_NE(said().find("not an ordinary file"), std::string::npos) << said();
+    EXPECT_NE(said().find(words), std::string::npos) << said();
   }
 }
 

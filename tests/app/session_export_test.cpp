@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/session.h"
+#include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image.h"
 #include "core/pipeline/recipe.h"
@@ -46,10 +47,10 @@ void reconstructSomething(Session& session) {
   ASSERT_EQ(session.state(), DocumentState::current);
 }
 
-std::vector<std::string> warningsOf(Session& session) {
+std::vector<std::string> warningsOf(LogRecord& said) {
   std::vector<std::string> texts;
-  for (const Message& message : session.takeMessages())
-    if (message.kind == Message::Kind::warning) texts.push_back(message.text);
+  for (const LogEntry& entry : said.take())
+    if (entry.level == LogLevel::warning) texts.push_back(entry.sentence);
   return texts;
 }
 
@@ -67,10 +68,10 @@ TEST(SessionExport, TheRecipeBesideAMeshRepeatsIt) {
   const fs::path file = folder / "face.ply";
   Session session(small());
   reconstructSomething(session);
-  session.takeMessages();
+  LogRecord said;
   session.saveMesh(file);
   ASSERT_TRUE(wait(session));
-  EXPECT_TRUE(warningsOf(session).empty());
+  EXPECT_TRUE(warningsOf(said).empty());
   EXPECT_EQ(repeated(file, folder, "mesh.ply"), readBytes(file));
 }
 
@@ -88,10 +89,10 @@ TEST(SessionExport, ASurfaceThatIsOlderKeepsItsOwnRecipeAndSaysSo) {
   session.clearErased();
   ASSERT_TRUE(wait(session));
   ASSERT_EQ(session.state(), DocumentState::older);
-  session.takeMessages();
+  LogRecord said;
   session.saveMesh(file);
   ASSERT_TRUE(wait(session));
-  const std::vector<std::string> warnings = warningsOf(session);
+  const std::vector<std::string> warnings = warningsOf(said);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("older than the parameters"), std::string::npos);
   EXPECT_EQ(repeated(file, folder, "mesh.ply"), readBytes(file));
@@ -106,10 +107,10 @@ TEST(SessionExport, ASurfaceThatIsNotFinalSaysSo) {
   session.edit(moved);
   ASSERT_TRUE(wait(session));
   ASSERT_EQ(session.state(), DocumentState::live);
-  session.takeMessages();
+  LogRecord said;
   session.saveMesh(folder / "face.ply");
   ASSERT_TRUE(wait(session));
-  const std::vector<std::string> warnings = warningsOf(session);
+  const std::vector<std::string> warnings = warningsOf(said);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("reconstruct it"), std::string::npos);
 }
@@ -168,10 +169,10 @@ TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   Session other(p);
   other.openPhantom();
   ASSERT_TRUE(wait(other));
-  other.takeMessages();
+  LogRecord said;
   other.loadRecipe(folder / "face.recipe.json");
   EXPECT_EQ(other.erased().voxels(), 0u);
-  EXPECT_EQ(warningsOf(other).size(), 1u);
+  EXPECT_EQ(warningsOf(said).size(), 1u);
   const test::ProgramResult result =
       test::sonoskin({"run", "phantom", "--recipe", (folder / "face.recipe.json").string(), "--phantom.seed",
                       "5", "--out", (folder / "5").string(), "--size", "64x64"});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/log.h"
 #include "core/io/volume_writer.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
@@ -77,14 +78,15 @@ TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
       }
   const fs::path file = fs::temp_directory_path() / "sonoskin_session_warning.nrrd";
   writeVolume(file, ball);
+  LogRecord said;
   Session session(tinyPhantom());
   session.openFile(file);
   ASSERT_TRUE(wait(session));
   ASSERT_EQ(session.warnings().size(), 1u);
   const auto warned = [&] {
-    const std::vector<Message> messages = session.takeMessages();
-    return std::count_if(messages.begin(), messages.end(), [&](const Message& m) {
-      return m.kind == Message::Kind::warning && m.text == session.warnings()[0];
+    const std::vector<LogEntry> entries = said.take();
+    return std::count_if(entries.begin(), entries.end(), [&](const LogEntry& e) {
+      return e.level == LogLevel::warning && e.sentence == session.warnings()[0];
     });
   };
   EXPECT_EQ(warned(), 1);

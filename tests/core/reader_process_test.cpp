@@ -3,7 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+#include "core/base/log.h"
 #include "core/base/timer.h"
 #include "core/io/file_formats.h"
 #include "core/io/mesh_reader.h"
@@ -12,6 +20,7 @@
 #include "core/io/volume_loader.h"
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
+#include "tests/support/dicom.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/solids.h"
 #include "tests/support/temp_folder.h"
@@ -149,6 +158,67 @@ TEST_F(Readers, SurviveDamagedFiles) {
       }
     }
   }
+}
+
+// The processes below this one that have none below themselves: those that read.
+std::vector<pid_t> readers() {
+  std::map<pid_t, pid_t> parents;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const std::string stat = fileText(entry.path() / "stat");
+    int parent = 0;
+    const std::size_t after = stat.rfind(')');
+    if (after != std::string::npos && std::sscanf(stat.c_str() + after, ") %*c %d", &parent) == 1)
+      parents[pid_t(std::stoi(name))] = parent;
+  }
+  std::vector<pid_t> found;
+  for (const auto& [process, parent] : parents) {
+    const bool hasChild =
+        std::ranges::any_of(parents, [&](const auto& other) { return other.second == process; });
+    int depth = 0;
+    for (pid_t at = process; at > 1 && at != ::getpid(); at = parents.contains(at) ? parents[at] : 0) ++depth;
+    pid_t top = process;
+    for (int d = 0; d < depth; ++d) top = parents.contains(top) ? parents[top] : 0;
+    if (!hasChild && depth == 3 && top == ::getpid()) found.push_back(process);
+  }
+  return found;
+}
+
+// A reader that is ended from outside while it works: by what its limits send, by what a fault of a library sends, and by
+// the system.
+TEST_F(Readers, SayWhyTheyEnded) {
+  std::uint64_t n = 0;
+  const auto large = test::fill(test::grid({200, 200, 100}), [&](glm::dvec3) { return test::noise(n++); });
+  writeVolume(folder / "large.nrrd", large);
+  for (const auto& [signal, words, kind] :
+       {std::tuple{SIGXCPU, "to read, which no file of its size needs", Error::Kind::input},
+        {SIGSEGV, "broke down on it", Error::Kind::input},
+        {SIGKILL, "The system ended the process", Error::Kind::system}}) {
+    const int number = signal;
+    ProgressSink sink;
+    sink.report = [number](double) {
+      for (const pid_t process : readers()) ::kill(process, number);
+    };
+    expectError([&] { readScan(folder / "large.nrrd", Progress(sink)); }, words, kind);
+  }
+  EXPECT_NO_THROW(readScan(volume("good.nrrd")));
+}
+
+// What is said in the process that reads is heard in the program.
+TEST_F(Readers, PassNotesOn) {
+  for (int series = 0; series < 2; ++series)
+    for (int k = 0; k < 3 + series; ++k) {
+      test::DicomImage slice;
+      slice.numbers.assign(12, 100 + k);
+      slice.series += std::to_string(series);
+      slice.number = k + 1, slice.place = k;
+      folder.write(fmt::format("{}-{}.dcm", series, k), dicomFile(slice));
+    }
+  LogRecord record;
+  EXPECT_EQ(readScan(folder.path()).volume->geometry.dims.z, 4);
+  EXPECT_EQ(record.sentences(LogLevel::info),
+            std::vector<std::string>{"The folder holds 2 series; the largest, of 4 slices, is used."});
 }
 
 TEST_F(Readers, CanBeCancelled) {

@@ -1,0 +1,43 @@
+#include "app/widgets/message_log.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <ctime>
+
+namespace sonoskin::ui {
+namespace {
+
+std::string timeOfDay() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  return fmt::format("{:02}:{:02}:{:02}", local.tm_hour, local.tm_min, local.tm_sec);
+}
+
+}  // namespace
+
+void MessageLog::add(Kind kind, const std::string& text) {
+  if (!entries.empty() && entries.back().text == text) {
+    entries.back().time = timeOfDay();
+    return;
+  }
+  if (entries.size() >= kMost) entries.erase(entries.begin());
+  entries.push_back({timeOfDay(), kind, text});
+  if (kind != Kind::note && !shown) ++unseen;
+}
+
+void MessageLog::open() {
+  shown = true;
+  unseen = 0;
+}
+
+std::string MessageLog::text() const {
+  constexpr std::array<const char*, 3> kNames{"note", "warning", "error"};
+  std::string all;
+  for (const Entry& entry : entries)
+    all += fmt::format("{} {}: {}\n", entry.time, kNames[std::size_t(entry.kind)], entry.text);
+  return all;
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace sonoskin {
+
+// errorText: what a person is told of an error that ended a task: the sentence of an Error; that memory is short; else the
+// library's own words, as what they are.
+std::string errorText(const std::exception& error);
+
+// systemCause: why the system refused something, and what helps: "No space left on device; make room or choose another
+// place". Without a full stop.
+//   input  number  errno's
+std::string systemCause(int number);
+
+}  // namespace sonoskin
