@@ -95,9 +95,9 @@ void Application::updateDocument() {
     workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
   for (const LogEntry& entry : log_.take()) {
     if (entry.level == LogLevel::warning)
-      workspace_.toasts.warn(ui::sentence(entry.sentence));
+      workspace_.toasts.warn(entry.sentence);
     else
-      workspace_.toasts.add(ui::sentence(entry.sentence), false);
+      workspace_.toasts.add(entry.sentence, false);
   }
   const Scan& scan = session.scan();
   if (scan.volume.get() != shownVolume_) {

@@ -11,6 +11,7 @@
 #include "app/face_view.h"
 #include "app/last_words.h"
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
@@ -84,7 +85,7 @@ Results compute(BatchRun& run, const Scan& scan) {
   run.report.isoValue = results.isoValue;
   run.report.isoShare = run.parameters.classification.isoShare;
   run.report.isoRange = results.isoRange;
-  for (const std::string& warning : results.warnings) log(LogLevel::warning, warning);
+  for (const std::string& warning : results.warnings) log(LogLevel::warning, asSentence(warning));
   run.report.points = results.points->size();
   run.report.edge = results.edge;
   run.report.centres = results.centres;
@@ -241,7 +242,7 @@ void publish(BatchRun& run, const Timer& timer) {
 // What was computed is safe by now. A renderer that has no memory may end the program without an exception.
 void addPictures(BatchRun& run, const Scan& scan, const Results& results, const Timer& timer) {
   const LastWords words(
-      "sonoskin: error: the pictures could not be drawn (memory may be short); the surface is written\n");
+      "sonoskin: error: The pictures could not be drawn (memory may be short); the surface is written.\n");
   try {
     drawPictures(run, scan, results);
     writeBaked(run, run.progress.part(kDrawn, 1));

@@ -29,6 +29,7 @@ namespace {
 int fail(ExitStatus status, std::string message) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');
+  message = asSentence(message);
   std::fputs(fmt::format("sonoskin: error: {}\n", message).c_str(), stderr);
   return status;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/error_text.h"
+#include "core/base/log.h"
 #include "core/base/log.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
@@ -219,7 +221,7 @@ void Session::takeResults() {
 void Session::tellWarnings(const std::vector<std::string>& warnings, bool again) {
   for (const std::string& warning : warnings) {
     const bool known = std::ranges::count(warned_, warning) > 0;
-    if (!known || again) log(LogLevel::warning, warning);
+    if (!known || again) log(LogLevel::warning, asSentence(warning));
     if (!known) warned_.push_back(warning);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "app/cli/streams.h"
 #include "app/input.h"
+#include "core/base/error_text.h"
 #include "core/base/parallel.h"
 
 namespace sonoskin {
@@ -41,7 +42,7 @@ void Console::addThreads(CLI::App& command) {
 
 void Console::warn(const std::vector<std::string>& sentences) {
   line_.finish();
-  for (const std::string& sentence : sentences) log(LogLevel::warning, sentence);
+  for (const std::string& sentence : sentences) log(LogLevel::warning, asSentence(sentence));
 }
 
 void Console::print(const std::string& json, const std::string& text) {

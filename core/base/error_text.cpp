@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <string_view>
 
 #include "core/base/error.h"
 
@@ -33,11 +35,19 @@ const char* helpFor(int number) {
 }  // namespace
 
 std::string errorText(const std::exception& error) {
-  if (dynamic_cast<const Error*>(&error)) return error.what();
+  if (dynamic_cast<const Error*>(&error)) return asSentence(error.what());
   if (dynamic_cast<const std::bad_alloc*>(&error))
     return "There is not enough memory; close other programs, or take a smaller volume or a lower "
            "mesh.resolution.";
   return fmt::format("Something failed that should not ({}); report it with what was done.", error.what());
+}
+
+std::string asSentence(std::string text) {
+  const std::string first = text.substr(0, text.find(' '));
+  const bool isWord = std::ranges::all_of(first, [](char c) { return (c >= 'a' && c <= 'z') || c == '\''; });
+  if (isWord && !first.empty() && first[0] != '\'') text[0] = char(text[0] - 'a' + 'A');
+  if (!text.empty() && std::string_view(".?!").find(text.back()) == std::string_view::npos) text += '.';
+  return text;
 }
 
 std::string systemCause(int number) { return fmt::format("{}; {}", std::strerror(number), helpFor(number)); }

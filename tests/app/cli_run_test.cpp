@@ -217,7 +217,7 @@ TEST(RunCommand, AMaskTellsWhatWasScanned) {
   const ProgramResult wrong = sonoskin(
       {"run", "phantom", "--out", (folder / "no").string(), "--mask", file, "--phantom.dims", "64x64x31"});
   EXPECT_EQ(wrong.status, 3);
-  EXPECT_NE(wrong.err.find("the mask has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
+  EXPECT_NE(wrong.err.find("The mask has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
             std::string::npos)
       << wrong.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "no"));
@@ -252,7 +252,7 @@ TEST(RunCommand, ErasedAndCutPartsHaveNoSurface) {
     return refused.err;
   };
   const std::string wrong = refusal(erased, "64x64x31");
-  EXPECT_NE(wrong.find("the erased volume has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
+  EXPECT_NE(wrong.find("The erased volume has 117 x 64 x 31 voxels, but the volume 64 x 64 x 31"),
             std::string::npos)
       << wrong;
   EXPECT_NE(refusal("no volume at all", "64x64x31").find("bad.nrrd"), std::string::npos);
@@ -302,7 +302,7 @@ double secondsToStop(double delay, int signalNumber) {
   const ProgramResult result = program.wait();
   const double seconds = timer.seconds();
   EXPECT_EQ(result.status, 4);
-  EXPECT_NE(result.err.find("sonoskin: error: cancelled"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("sonoskin: error: Cancelled"), std::string::npos) << result.err;
   // Nothing, or where pictures were being drawn the surface with all that belongs to it.
   const bool surfaceStands = result.err.find("the surface is written") != std::string::npos;
   const Names files =

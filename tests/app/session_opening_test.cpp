@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/error_text.h"
 #include "core/base/log.h"
 #include "core/io/volume_writer.h"
 #include "core/phantom/phantom.h"
@@ -86,7 +87,7 @@ TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
   const auto warned = [&] {
     const std::vector<LogEntry> entries = said.take();
     return std::count_if(entries.begin(), entries.end(), [&](const LogEntry& e) {
-      return e.level == LogLevel::warning && e.sentence == session.warnings()[0];
+      return e.level == LogLevel::warning && e.sentence == asSentence(session.warnings()[0]);
     });
   };
   EXPECT_EQ(warned(), 1);

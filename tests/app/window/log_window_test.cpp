@@ -14,8 +14,8 @@ TEST_F(WindowTest, ShowsAndKeepsWhatIsLogged) {
   ui::Toasts& toasts = d.workspace().toasts;
   const std::size_t before = toasts.log.entries.size();
   std::thread([] {
-    log(LogLevel::info, "the scan has 3 time steps; the first is used.");
-    log(LogLevel::warning, "the surface may not be skin.");
+    log(LogLevel::info, "The scan has 3 time steps; the first is used.");
+    log(LogLevel::warning, "The surface may not be skin.");
   }).join();
   ASSERT_TRUE(d.wait([&] { return toasts.log.entries.size() == before + 2; }, 20));
   ASSERT_EQ(toasts.list.size(), 2u);
