@@ -137,7 +137,7 @@ Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, 
   // Every corner must lie inside the four side planes: distance >= |offset| / tangent - depth beyond the
   // target.
   const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
-  camera.distance = 1e-3f;
+  camera.distance = kLeastDistance;
   for (const auto& corner : corners(box)) {
     const glm::vec3 d = corner - camera.target;
     const float sideways = std::max(std::abs(glm::dot(d, right)) / aspect, std::abs(glm::dot(d, camera.up)));
@@ -165,7 +165,7 @@ Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const 
   }
   camera.target =
       middle + 0.5f * (most.x - most.y) * wide * right + 0.5f * (most.z - most.w) * high * camera.up;
-  camera.distance = std::max(0.5f * std::max(most.x + most.y, most.z + most.w), 1e-3f);
+  camera.distance = std::max(0.5f * std::max(most.x + most.y, most.z + most.w), kLeastDistance);
   return camera;
 }
 

@@ -40,6 +40,9 @@ struct Camera {
 // to it or nothing, that of some upright picture.
 glm::vec3 rightOf(const glm::vec3& forward, const glm::vec3& up);
 
+// kLeastDistance: of a camera that looks at nothing but a point, mm; any object of some size has its own.
+inline constexpr float kLeastDistance = 1e-6f;
+
 // lookAlong: a camera that sees the whole box, looking along `forward`.
 //   up      any vector, see rightOf
 //   aspect  width / height of the picture

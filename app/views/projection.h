@@ -16,8 +16,9 @@ inline float pixelsPerTangent(const Camera& camera, const PaneInput& pane) {
 
 // seenAt: where on the screen a place of the world is seen in a pane; nothing for what is behind the eye.
 inline std::optional<glm::vec2> seenAt(const glm::vec3& world, const Camera& camera, const PaneInput& pane) {
+  constexpr float kNearest = 0.003f;  // of the camera's distance
   const glm::vec3 p(camera.view() * glm::vec4(world, 1));
-  if (p.z > -1) return std::nullopt;
+  if (p.z > -kNearest * camera.distance) return std::nullopt;
   return pane.corner + 0.5f * pane.size + pixelsPerTangent(camera, pane) * glm::vec2(p.x, -p.y) / -p.z;
 }
 

@@ -17,6 +17,7 @@
 #include "core/io/ply_reader.h"
 #include "core/io/reader_process.h"
 #include "core/io/reader_wire.h"
+#include "core/mesh/mesh_doubts.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -155,16 +156,6 @@ bool saysRas(const fs::path& path) {
          std::string_view::npos;
 }
 
-// Lengths that a float cannot tell apart any more, and objects larger than a house, are some other unit.
-void checkExtent(const Mesh& mesh, const fs::path& path) {
-  constexpr float kFarthest = 1e7f, kLargest = 1e5f;  // mm
-  const Box box = boundingBox(mesh.positions);
-  const glm::vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
-  require(std::max({farthest.x, farthest.y, farthest.z}) <= kFarthest && box.diagonal() <= kLargest,
-          "{} is {:.3g} m across or as far away, which no surface of a body is; check its unit.",
-          path.string(), double(box.diagonal()) / 1000);
-}
-
 // A rotation of all axes of a mesh, so the winding stays.
 template <class Turn>
 void turn(Mesh& mesh, const Turn& turned, float scale) {
@@ -185,13 +176,13 @@ Mesh parseMesh(const fs::path& path, const Progress& progress) {
   Mesh mesh = format == FileFormat::ply ? readPly(path, progress.part(0, 0.9)) : readWithAssimp(path, format);
   progress.update(0.9);
   require(!mesh.empty(), "{} holds no triangles; choose a file with a surface.", path.string());
-  checkExtent(mesh, path);
   if (format == FileFormat::glb)
     turn(
         mesh, [](const glm::vec3& v) { return glm::vec3(v.x, -v.z, v.y); }, 1000);
   else if (format != FileFormat::threeMf && saysRas(path))
     turn(
         mesh, [](const glm::vec3& v) { return glm::vec3(-v.x, -v.y, v.z); }, 1);
+  requireExtent(mesh, path.string());
   if (mesh.normals.empty()) computeNormals(mesh);
   progress.update(1);
   return mesh;

@@ -59,10 +59,12 @@ Layout layOut(std::vector<Extent> extents, const AtlasOptions& options) {
       boxes.emplace_back(glm::min(box, glm::vec2(float(options.maxSize))));
     }
     layout.packing = packBoxes(boxes, kGutter);
-    const int side = std::max(layout.packing.size.x, layout.packing.size.y);
+    const glm::vec2 size(layout.packing.size);
+    const float tooLong = fits ? std::max(size.x, size.y) / float(options.maxSize) : 1.2f,
+                tooLarge = std::sqrt(size.x * size.y / float(options.maxTexels));
     // Gutters do not shrink: thousands of specks may never fit.
-    if ((fits && side <= options.maxSize) || attempt == kAttempts) return layout;
-    layout.texel *= 1.03f * std::max(1.f, fits ? float(side) / float(options.maxSize) : 1.2f);
+    if ((tooLong <= 1 && tooLarge <= 1) || attempt == kAttempts) return layout;
+    layout.texel *= 1.03f * std::max({1.f, tooLong, std::min(tooLarge, 2.f)});
   }
 }
 
@@ -92,24 +94,25 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
   // mm²; surfaces that are small as a whole have smaller charts. Smaller ones than in the specification: merged into a
   // neighbour they are seen from the side or turned over, and light that is blurred there is wrong by far more than at a
   // few more seams.                                                    [skin specification, section 4.2; sizes: ours]
-  const double area = facets.area(), smallest = std::min(std::max(18., area / 800), area / 150),
-               tiny = std::min(0.6, area / 5000);
+  const double area = facets.area(), square = options.unit * options.unit,
+               smallest = std::min(std::max(18 * square, area / 800), area / 150),
+               tiny = std::min(0.6 * square, area / 5000);
   const std::vector<glm::vec3> normals =
-      smoothNormals(facets, float(options.normalLength), progress.part(0, 0.4));
+      smoothNormals(facets, float(options.unit * options.normalLength), progress.part(0, 0.4));
   const std::vector<std::uint32_t> labels = labelTriangles(facets, normals, axes, progress.part(0.4, 0.5));
   std::vector<std::uint32_t> axisOfLabel;
   for (std::uint32_t a = 0; a < kChartAxes; ++a) axisOfLabel.push_back(a);
   Charts charts = connectedCharts(facets, labels, axisOfLabel, progress.part(0.5, 0.6));
   mergeSmallCharts(facets, axes, smallest, tiny, charts);
-  splitFolds(facets, normals, axes, tiny, charts, progress.part(0.6, 0.9));
+  splitFolds(facets, normals, axes, {tiny, float(options.unit)}, charts, progress.part(0.6, 0.9));
   return charts;
 }
 
 }  // namespace
 
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress) {
-  require(options.texel > 0 && options.maxSize >= 16,
-          "A texel needs a size, and an atlas at least 16 texels.");
+  require(options.texel > 0 && options.unit > 0 && options.maxSize >= 16 && options.maxTexels >= 256,
+          "A texel needs a size, and an atlas at least 16 texels a side.");
   const std::array<ChartAxis, kChartAxes> axes = chartAxes(options.front);
   const Facets facets(mesh, progress.part(0, 0.1));
   const Charts charts = findCharts(facets, options, axes, progress.part(0.1, 0.6));
@@ -119,6 +122,7 @@ Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& 
   Atlas atlas;
   atlas.size = layout.packing.size;
   atlas.texel = layout.texel;
+  atlas.unit = float(options.unit);
   atlas.charts = int(charts.size());
   atlas.chart = charts.ofTriangle;
   atlas.corners.resize(mesh.triangles.size());

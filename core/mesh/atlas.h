@@ -22,6 +22,7 @@ using Corners = std::array<glm::vec2, 3>;
 struct Atlas {
   glm::ivec2 size{0};   // texels
   float texel = 0.15f;  // mm per texel where a chart faces its axis
+  float unit = 1;       // of AtlasOptions
   int charts = 0;
   std::vector<std::uint32_t> chart;
   std::vector<Corners> corners;
@@ -36,6 +37,9 @@ struct AtlasOptions {
   double normalLength = 0.5;  // normals are smoothed over this before charts are chosen
   glm::vec3 front{0, 0, 1};   // unit; the chart that looks this way is favoured
   int maxSize = 8192;         // texels a side; a larger atlas gets larger texels
+  double maxTexels = 6.8e7;   // in all, gaps included; so does one that has more
+  double unit =
+      1;  // how many times as large as a body's the object's folds, charts and noise are taken to be
 };
 
 // buildAtlas: charts by parallel projection along 14 axes, of which one is `front`.
@@ -51,18 +55,21 @@ std::optional<Atlas> atlasFromCoordinates(const Mesh& mesh, const AtlasOptions& 
 
 // blockAtlas: every triangle gets a small block of its own. Works for any mesh and has no overlap, but nothing lies
 // beside its neighbours: for point-based diffusion only.
-Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize);
+//   maxTexels  in all; more only where even the smallest blocks have more
+//   errors     Error: the smallest blocks need more than maxSize a side
+Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize, double maxTexels = 6.8e7);
 
 // AtlasCheck: what texture diffusion needs to know about an atlas.
 //   overlap    share of the owned texels that two triangles of one chart claim at different depths
 //   uncovered  share of the area of triangles that no owned texel shows
+//   area       mm^2, of an object brought to the size of a body by the atlas' unit
 //   steep      share of the area whose triangles are stretched more than 1 / 0.3
 //   stretch    largest and 99th percentile of mm per texel, over the nominal one
 struct AtlasCheck {
   int charts = 0;
   double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
   double seamLength = 0;  // mm
-  double area = 0;        // mm^2
+  double area = 0;
   // good: whether light may be diffused in it.    [skin specification, section 20: 60 charts; more for large heads: ours]
   bool good() const { return overlap <= 0.01 && charts <= 60 + area / 100; }
 };

@@ -47,7 +47,7 @@ int fillShelves(const BySide& bySide, int width, Atlas* atlas) {
 
 }  // namespace
 
-Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize) {
+Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize, double maxTexels) {
   require(texel > 0 && maxSize >= kSmallest, "A texel needs a size, and an atlas at least 4 texels.");
   Atlas atlas;
   atlas.corners.resize(mesh.triangles.size());
@@ -67,7 +67,7 @@ Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize) {
     require(height <= maxSize || !isSmallest,
             "{} triangles are too many for an atlas of {} texels a side; reduce the mesh first.",
             mesh.triangles.size(), maxSize);
-    if (height > maxSize) continue;
+    if (height > maxSize || (double(width) * height > maxTexels && !isSmallest)) continue;
     fillShelves(bySide, width, &atlas);
     atlas.size = {width, std::max(1, height)};
     atlas.texel = float(size);

@@ -8,8 +8,9 @@
 namespace sonoskin {
 namespace {
 
-constexpr float kSamePlace = 0.3f;  // mm: claims farther apart than this are an overlap
-constexpr float kShown = 1;         // mm: a triangle is shown where the atlas has the surface this near
+// mm of a body, see AtlasOptions::unit.
+constexpr float kSamePlace = 0.3f;  // claims farther apart than this are an overlap
+constexpr float kShown = 1;         // a triangle is shown where the atlas has the surface this near
 
 // Claims: per texel the first place of the surface that owns it, and whether another one does. w: 1 owned, 2 disputed.
 std::vector<glm::vec4> findClaims(const Mesh& mesh, const Atlas& atlas) {
@@ -25,7 +26,7 @@ std::vector<glm::vec4> findClaims(const Mesh& mesh, const Atlas& atlas) {
                      const glm::vec3 place = w.x * pi + w.y * pj + w.z * pk;
                      if (claim.w == 0)
                        claim = glm::vec4(place, 1);
-                     else if (glm::length(place - glm::vec3(claim)) > kSamePlace)
+                     else if (glm::length(place - glm::vec3(claim)) > kSamePlace * atlas.unit)
                        claim.w = 2;
                    });
     }
@@ -40,7 +41,8 @@ bool isShown(const Atlas& atlas, const std::vector<glm::vec4>& claims, const Cor
   for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, atlas.size.y - 1); ++y)
     for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, atlas.size.x - 1); ++x) {
       const glm::vec4& claim = claims[std::size_t(y) * std::size_t(atlas.size.x) + std::size_t(x)];
-      if (claim.w > 0 && glm::length(glm::vec3(claim) - centre) < std::max(kShown, 3 * atlas.texel))
+      if (claim.w > 0 &&
+          glm::length(glm::vec3(claim) - centre) < std::max(kShown * atlas.unit, 3 * atlas.texel))
         return true;
     }
   return false;
@@ -110,7 +112,7 @@ AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas) {
   check.uncovered = area > 0 ? hidden / area : 0;
   measureStretch(facets, atlas, area, check);
   check.seamLength = seamsOf(facets, atlas);
-  check.area = surfaceArea(mesh);
+  check.area = surfaceArea(mesh) / (double(atlas.unit) * double(atlas.unit));
   return check;
 }
 

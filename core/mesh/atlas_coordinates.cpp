@@ -24,6 +24,13 @@ double middleScale(const Facets& facets) {
   return *middle;
 }
 
+// Texels per unit of a picture that has no more than `most` of them.
+//   solves   (x t + g) (y t + g) = most for t, with gutters g and the texel that is rounded up to
+float mostPerUnit(const glm::dvec2& extent, double most) {
+  const double g = 2 * double(kGutter) + 1, b = g * (extent.x + extent.y), c = most - g * g;
+  return float(2 * c / (b + std::sqrt(b * b + 4 * extent.x * extent.y * c)));
+}
+
 // Charts end where coordinates do.
 void numberCharts(Facets facets, Atlas& atlas) {
   atlas.chart.assign(facets.size(), 0);
@@ -50,10 +57,12 @@ std::optional<Atlas> atlasFromCoordinates(const Mesh& mesh, const AtlasOptions& 
   if (!(scale > 0)) return {};
   const glm::vec2 extent = high - low;
   const float room = float(options.maxSize) - 2 * kGutter - 1;
-  const float texels = std::min(float(scale / options.texel), room / std::max(extent.x, extent.y));
+  const float texels = std::min({float(scale / options.texel), room / std::max(extent.x, extent.y),
+                                 mostPerUnit(glm::dvec2(extent), options.maxTexels)});
   Atlas atlas;
   atlas.size = glm::ivec2(glm::ceil(extent * texels + 2 * kGutter));
   atlas.texel = float(scale) / texels;
+  atlas.unit = float(options.unit);
   for (const Corners& corners : mesh.cornerUvs) {
     Corners& placed = atlas.corners.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) placed[i] = (corners[i] - low) * texels + kGutter;

@@ -7,8 +7,9 @@
 namespace sonoskin {
 namespace {
 
-constexpr float kCell = 0.3f, kDepth = 0.8f;  // mm  [skin specification, 4.2]
-constexpr float kMargin = 1;                  // mm around what is hidden
+// mm of a body: those of larger and smaller objects are as many units.
+constexpr float kCell = 0.3f, kDepth = 0.8f;  // [skin specification, 4.2]
+constexpr float kMargin = 1;                  // around what is hidden
 
 using Projected = std::array<glm::vec3, 3>;
 
@@ -25,10 +26,10 @@ struct DepthPicture {
   glm::ivec2 size{1};
   std::vector<float> nearest;
 
-  DepthPicture(const glm::vec2& low, const glm::vec2& high) : origin(low) {
+  DepthPicture(const glm::vec2& low, const glm::vec2& high, float unit) : origin(low) {
     constexpr float kMostCells = 1 << 24;
     const glm::vec2 extent = high - low;
-    cell = std::max(kCell, std::sqrt(extent.x * extent.y / kMostCells));
+    cell = std::max(kCell * unit, std::sqrt(extent.x * extent.y / kMostCells));
     size = glm::min(glm::ivec2(extent / cell) + 1, glm::ivec2(1 << 24));
     nearest.assign(std::size_t(size.x) * std::size_t(size.y), -std::numeric_limits<float>::max());
   }
@@ -45,25 +46,26 @@ struct DepthPicture {
 };
 
 void markHidden(const Facets& facets, const std::uint32_t* begin, const std::uint32_t* end,
-                const ChartAxis& axis, std::vector<std::uint8_t>& isHidden) {
+                const ChartAxis& axis, float unit, std::vector<std::uint8_t>& isHidden) {
   glm::vec2 low(std::numeric_limits<float>::max()), high = -low;
   for (const std::uint32_t* t = begin; t != end; ++t)
     for (const glm::vec3& p : project(facets, *t, axis)) {
       low = glm::min(low, glm::vec2(p));
       high = glm::max(high, glm::vec2(p));
     }
-  DepthPicture picture(low, high);
+  DepthPicture picture(low, high, unit);
   for (const std::uint32_t* t = begin; t != end; ++t)
     picture.forEach(project(facets, *t, axis),
                     [](float& nearest, float z) { nearest = std::max(nearest, z); });
   for (const std::uint32_t* t = begin; t != end; ++t)
     picture.forEach(project(facets, *t, axis), [&](float& nearest, float z) {
-      if (nearest - z > kDepth) isHidden[*t] = 1;
+      if (nearest - z > kDepth * unit) isHidden[*t] = 1;
     });
 }
 
-// Marks what lies within kMargin mm of what is marked, along the triangles of its chart.
-void growMarks(const Facets& facets, const Charts& charts, std::vector<std::uint8_t>& isMarked) {
+// Marks what lies within `margin` mm of what is marked, along the triangles of its chart.
+void growMarks(const Facets& facets, const Charts& charts, float margin,
+               std::vector<std::uint8_t>& isMarked) {
   struct Step {
     std::uint32_t triangle;
     float way;
@@ -77,7 +79,7 @@ void growMarks(const Facets& facets, const Charts& charts, std::vector<std::uint
       if (facets.opposite[h] == kNoHalfEdge) continue;
       const std::uint32_t t = facets.opposite[h] / 3;
       const float way = step.way + glm::length(facets.centre[t] - facets.centre[step.triangle]);
-      if (isMarked[t] || way > kMargin || charts.ofTriangle[t] != charts.ofTriangle[step.triangle]) continue;
+      if (isMarked[t] || way > margin || charts.ofTriangle[t] != charts.ofTriangle[step.triangle]) continue;
       isMarked[t] = 1;
       queue.push_back({t, way});
     }
@@ -99,7 +101,7 @@ Charts separate(const Facets& facets, const std::vector<glm::vec3>& normals,
 }  // namespace
 
 void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
-                const std::array<ChartAxis, kChartAxes>& axes, double tiny, Charts& charts,
+                const std::array<ChartAxis, kChartAxes>& axes, const FoldOptions& options, Charts& charts,
                 const Progress& progress) {
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -110,16 +112,16 @@ void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
         std::ptrdiff_t(charts.size()),
         [&](std::ptrdiff_t c) {
           const std::size_t g = std::size_t(c);
-          markHidden(facets, groups.begin(g), groups.end(g), axes[charts.axis[g]], isMarked);
+          markHidden(facets, groups.begin(g), groups.end(g), axes[charts.axis[g]], options.unit, isMarked);
         },
         part.part(0, 0.6));
     for (std::size_t t = 0; t < facets.size(); ++t)
       if (glm::dot(normals[t], axes[charts.axis[charts.ofTriangle[t]]].toward) < kLeastFacing)
         isMarked[t] = 1;
     if (std::find(isMarked.begin(), isMarked.end(), 1) == isMarked.end()) break;
-    growMarks(facets, charts, isMarked);
+    growMarks(facets, charts, kMargin * options.unit, isMarked);
     charts = separate(facets, normals, axes, charts, isMarked, part.part(0.6, 0.9));
-    mergeSmallCharts(facets, axes, tiny, tiny, charts);
+    mergeSmallCharts(facets, axes, options.tiny, options.tiny, charts);
   }
 }
 

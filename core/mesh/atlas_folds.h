@@ -10,8 +10,12 @@ namespace sonoskin {
 //   method     depth pictures of each chart; hidden is what lies more than 0.8 mm behind. Three rounds, for a moved
 //              part may fold again; parts below `tiny` mm² go back to a neighbour.
 //                                                                                  [skin specification, 4.2, step 5]
+struct FoldOptions {
+  double tiny = 0;
+  float unit = 1;  // the method's lengths are so many times as long, see AtlasOptions
+};
 void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
-                const std::array<ChartAxis, kChartAxes>& axes, double tiny, Charts& charts,
+                const std::array<ChartAxis, kChartAxes>& axes, const FoldOptions& options, Charts& charts,
                 const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -19,20 +19,21 @@ struct Baker {
   const Mesh& mesh;
   const SurfaceTraits& traits;
   AtlasMaps& maps;
+  float unit = 1;  // of the atlas
 
   std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(maps.size.x) + std::size_t(x); }
 
   // hides: whether what an owned texel shows lies elsewhere and under a more open sky than a triangle that claims it,
   // too: then it is the outer one of two sheets.
   bool hides(std::size_t texel, std::uint32_t triangle, const glm::vec3& w) const {
-    constexpr float kSamePlace = 0.3f;  // mm
+    constexpr float kSamePlace = 0.3f;  // mm of a body
     const glm::vec4& shown = maps.position[texel];
     if (shown.w < 1) return false;
     const auto& [i, j, k] = mesh.triangles[triangle];
     const glm::vec3 place = w.x * mesh.positions[i] + w.y * mesh.positions[j] + w.z * mesh.positions[k];
     const float open =
         w.x * traits.occlusion[i].w + w.y * traits.occlusion[j].w + w.z * traits.occlusion[k].w;
-    return glm::length(place - glm::vec3(shown)) > kSamePlace && maps.occlusion[texel].w > open;
+    return glm::length(place - glm::vec3(shown)) > kSamePlace * unit && maps.occlusion[texel].w > open;
   }
   void write(std::size_t texel, std::uint32_t triangle, const glm::vec3& w, float coverage) const {
     const auto& [i, j, k] = mesh.triangles[triangle];
@@ -165,10 +166,10 @@ AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& 
                  std::vector<glm::vec4>(texels, glm::vec4(0)),
                  {},
                  std::vector<std::uint32_t>(texels, 0)};
-  const Baker baker{mesh, traits, maps};
+  const Baker baker{mesh, traits, maps, atlas.unit};
   drawTriangles(baker, atlas, progress.part(0, 0.5));
   drawRims(baker, atlas, Facets(mesh), progress.part(0.5, 0.6));
-  maps.stretch = stretchMap(atlas.size, maps.position, atlas.texel, progress.part(0.6, 1));
+  maps.stretch = stretchMap(atlas, maps.position, progress.part(0.6, 1));
   return maps;
 }
 

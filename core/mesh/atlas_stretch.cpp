@@ -132,12 +132,14 @@ glm::vec2 limited(const glm::vec4& alongU, const glm::vec4& alongV, float mean) 
 
 }  // namespace
 
-std::vector<glm::vec2> stretchMap(const glm::ivec2& size, const std::vector<glm::vec4>& position, float texel,
+std::vector<glm::vec2> stretchMap(const Atlas& atlas, const std::vector<glm::vec4>& position,
                                   const Progress& progress) {
-  constexpr float kLength = 0.5f;  // mm
+  constexpr float kLength = 0.5f;  // mm of a body
+  const glm::ivec2 size = atlas.size;
+  const float texel = atlas.texel;
   Slopes slopes = slopesOf(size, position, progress.part(0, 0.2));
   // Two moving means of 2 h + 1 values have the variance 2 h (h + 1) / 3.
-  const float sigma = kLength / texel;
+  const float sigma = kLength * atlas.unit / texel;
   const int half = std::max(1, int(std::lround(0.5 * (std::sqrt(1 + 6 * sigma * sigma) - 1))));
   double done = 0.2;
   for (std::vector<glm::vec4>* map : {&slopes.alongU, &slopes.alongV}) {

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "core/base/error.h"
 
 namespace sonoskin {
 namespace {
@@ -53,8 +56,18 @@ std::vector<std::string> pairDoubts(const Mesh& a, const Mesh& b) {
   return doubts;
 }
 
+void requireExtent(const Mesh& mesh, const std::string& name) {
+  constexpr float kFarthest = 1e7f, kLargest = 1e5f;  // mm
+  const Box box = boundingBox(mesh.positions);
+  const glm::vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+  require(std::max({farthest.x, farthest.y, farthest.z}) <= kFarthest && box.diagonal() <= kLargest,
+          "{} is {:.3g} m across or as far away, which no surface of a body is; check its unit.", name,
+          double(box.diagonal()) / 1000);
+}
+
 void scaleMesh(Mesh& mesh, float factor) {
   for (glm::vec3& p : mesh.positions) p *= factor;
+  requireExtent(mesh, fmt::format("the surface, {:g} times as large,", double(factor)));
 }
 
 void flipMesh(Mesh& mesh) {

@@ -13,10 +13,15 @@ namespace sonoskin {
 //           surface is negative where most of them look inward
 std::vector<std::string> meshDoubts(const Mesh& mesh);
 
+// requireExtent: refuses a surface larger than a house (100 m) or so far away that floats cannot tell its lengths apart.
+//   name  of its file, for people
+void requireExtent(const Mesh& mesh, const std::string& name);
+
 // pairDoubts: why two surfaces may not share frame or unit: their boxes do not touch, or one is five times as large.
 std::vector<std::string> pairDoubts(const Mesh& a, const Mesh& b);
 
 // scaleMesh, flipMesh: what mends these: other lengths; the other side outward.
+//   errors  Error: what requireExtent refuses
 void scaleMesh(Mesh& mesh, float factor);
 void flipMesh(Mesh& mesh);
 

@@ -35,83 +35,100 @@ void forEach(std::size_t count, F&& f) {
 }  // namespace
 
 struct BlockDiffusion::State {
-  State(std::shared_ptr<const SkinSurface> s, const GaussianSum& p, const Progress& progress)
-      : surface(std::move(s)), variances(p.variances), sides(*surface) {
-    const Mesh& mesh = *surface->mesh;
-    SurfaceSamples samples = sampleSurface(mesh, PointDiffusion::kBaseSpacing, progress.part(0, 0.2));
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      sampled.push_back(placeInAtlas(surface->atlas.corners[samples.triangles[i]], samples.weights[i]));
-    diffusion.emplace(
-        AreaPoints{std::move(samples.positions), std::move(samples.normals), std::move(samples.areas)}, p,
-        progress.part(0.2, 0.8));
-    for (std::size_t i = 1; i <= kLevels; ++i) {
-      constexpr double kMostSide = 1.1;  // mm: normals turn too far over more
-      const double side = std::min(0.75 * std::sqrt(variances[i]), kMostSide);
-      places.emplace_back(mesh, std::max(side, 2 * double(surface->atlas.texel)));
-    }
-  }
+  State(std::shared_ptr<const SkinSurface> s, const GaussianSum& p, const Progress& progress);
 
-  PointDiffusion::Levels diffuse(const std::vector<glm::vec4>& irradiance, const Progress& progress) const;
-  void fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
-            const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const;
-  void fitSides(int level, const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const;
+  // diffuse: a level's map; `light` is that of the samples.
+  std::vector<glm::vec4> diffuse(int level, const std::vector<glm::vec4>& light,
+                                 const std::vector<glm::vec4>& irradiance, const Progress& progress) const;
+  std::vector<glm::vec4> lightOfSamples(const std::vector<glm::vec4>& irradiance) const;
+  AreaPoints sample(const Progress& progress);
+  glm::vec4 valueAt(std::size_t texel, const TriangleLattice& places,
+                    const std::vector<glm::vec4>& atPlaces) const;
+  void fitSides(const TriangleLattice& places, const std::vector<glm::vec4>& atPlaces,
+                std::vector<glm::vec4>& map) const;
 
   std::shared_ptr<const SkinSurface> surface;
   std::array<double, GaussianSum::kCount> variances;
   std::vector<glm::vec2> sampled;  // where each sample lies in the atlas
   std::optional<PointDiffusion> diffusion;
-  std::vector<TriangleLattice> places;  // where each level is asked
+  std::vector<std::shared_ptr<const TriangleLattice>> places;  // where each level is asked
   ChartSides sides;
 };
 
-PointDiffusion::Levels BlockDiffusion::State::diffuse(const std::vector<glm::vec4>& irradiance,
-                                                      const Progress& progress) const {
+BlockDiffusion::State::State(std::shared_ptr<const SkinSurface> s, const GaussianSum& p,
+                             const Progress& progress)
+    : surface(std::move(s)), variances(p.variances), sides(*surface) {
+  diffusion.emplace(sample(progress.part(0, 0.2)), p, progress.part(0.2, 0.8));
+  double before = 0;
+  for (std::size_t i = 1; i <= kLevels; ++i) {
+    constexpr double kMostSide = 1.1;  // mm: normals turn too far over more
+    const double side =
+        std::max(std::min(0.75 * std::sqrt(variances[i]), kMostSide), 2 * double(surface->atlas.texel));
+    places.push_back(side == before ? places.back()
+                     : !diffusion->resolves(int(i))
+                         ? nullptr
+                         : std::make_shared<const TriangleLattice>(*surface->mesh, side));
+    before = places.back() ? side : 0;
+  }
+}
+
+AreaPoints BlockDiffusion::State::sample(const Progress& progress) {
+  const Mesh& mesh = *surface->mesh;
+  const double spacing = affordableSpacing(mesh, PointDiffusion::kBaseSpacing, kMostSamples);
+  SurfaceSamples samples = sampleSurface(mesh, spacing, progress);
+  sampled.reserve(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    sampled.push_back(placeInAtlas(surface->atlas.corners[samples.triangles[i]], samples.weights[i]));
+  return {std::move(samples.positions), std::move(samples.normals), std::move(samples.areas)};
+}
+
+std::vector<glm::vec4> BlockDiffusion::State::lightOfSamples(const std::vector<glm::vec4>& irradiance) const {
   std::vector<glm::vec4> light(sampled.size());
   forEach(sampled.size(), [&](std::size_t i) {
     light[i] = glm::vec4(readAtlas(irradiance, surface->maps.size, sampled[i]), 1);
   });
-  PointDiffusion::Levels atPlaces = diffusion->gather(light), maps;
-  for (std::size_t i = 0; i < kLevels; ++i) {
-    const int level = int(i) + 1;
-    if (diffusion->resolves(level))
-      atPlaces[i] = diffusion->lightAt(level, atPlaces[i], places[i].positions(), places[i].normals(),
-                                       progress.part(0.18 * double(i), 0.18 * double(i + 1)));
-    maps[i].resize(irradiance.size());
-  }
-  forEach(irradiance.size(), [&](std::size_t texel) { fill(texel, irradiance, atPlaces, maps); });
-  parallelFor(kLevels, [&](std::ptrdiff_t l) { fitSides(int(l) + 1, atPlaces, maps); });
-  return maps;
+  return light;
 }
 
-void BlockDiffusion::State::fill(std::size_t texel, const std::vector<glm::vec4>& irradiance,
-                                 const PointDiffusion::Levels& atPlaces, PointDiffusion::Levels& maps) const {
-  const glm::vec4& shown = surface->maps.position[texel];
-  if (shown.w == 0) {
-    for (std::vector<glm::vec4>& map : maps) map[texel] = glm::vec4(0);
-    return;
+std::vector<glm::vec4> BlockDiffusion::State::diffuse(int level, const std::vector<glm::vec4>& light,
+                                                      const std::vector<glm::vec4>& irradiance,
+                                                      const Progress& progress) const {
+  const std::vector<glm::vec4>& position = surface->maps.position;
+  std::vector<glm::vec4> map(irradiance.size());
+  if (!diffusion->resolves(level)) {
+    forEach(map.size(), [&](std::size_t texel) {
+      map[texel] = position[texel].w > 0 ? colourOf(irradiance[texel]) : glm::vec4(0);
+    });
+    return map;
   }
+  const TriangleLattice& lattice = *places[std::size_t(level - 1)];
+  const std::vector<glm::vec4> atPlaces = diffusion->lightAt(
+      level, diffusion->gather(level, light), lattice.positions(), lattice.normals(), progress);
+  forEach(map.size(), [&](std::size_t texel) {
+    map[texel] = position[texel].w > 0 ? valueAt(texel, lattice, atPlaces) : glm::vec4(0);
+  });
+  fitSides(lattice, atPlaces, map);
+  return map;
+}
+
+glm::vec4 BlockDiffusion::State::valueAt(std::size_t texel, const TriangleLattice& lattice,
+                                         const std::vector<glm::vec4>& atPlaces) const {
   const std::uint32_t t = surface->maps.triangle[texel];
   const std::vector<glm::vec3>& vertices = surface->mesh->positions;
   const Triangle& corners = surface->mesh->triangles[t];
-  const glm::vec3 weights = closestPointOnTriangle(glm::vec3(shown), vertices[corners[0]],
-                                                   vertices[corners[1]], vertices[corners[2]])
-                                .weights;
-  for (int i = 0; i < kLevels; ++i) {
-    const auto l = std::size_t(i);
-    maps[l][texel] = diffusion->resolves(i + 1) ? places[l].value(atPlaces[l], corners, t, weights)
-                                                : colourOf(irradiance[texel]);
-  }
+  const glm::vec3 weights =
+      closestPointOnTriangle(glm::vec3(surface->maps.position[texel]), vertices[corners[0]],
+                             vertices[corners[1]], vertices[corners[2]])
+          .weights;
+  return lattice.value(atPlaces, corners, t, weights);
 }
 
-void BlockDiffusion::State::fitSides(int level, const PointDiffusion::Levels& atPlaces,
-                                     PointDiffusion::Levels& maps) const {
-  if (!diffusion->resolves(level)) return;
-  const auto l = std::size_t(level - 1);
+void BlockDiffusion::State::fitSides(const TriangleLattice& lattice, const std::vector<glm::vec4>& atPlaces,
+                                     std::vector<glm::vec4>& map) const {
   std::vector<glm::vec4> light;
   for (const ChartSides::Place& p : sides.places())
-    light.push_back(
-        places[l].value(atPlaces[l], surface->mesh->triangles[p.triangle], p.triangle, p.weights));
-  sides.fit(light, maps[l]);
+    light.push_back(lattice.value(atPlaces, surface->mesh->triangles[p.triangle], p.triangle, p.weights));
+  sides.fit(light, map);
 }
 
 BlockDiffusion::BlockDiffusion() = default;
@@ -123,20 +140,38 @@ std::size_t BlockDiffusion::bytes() const {
   if (!state) return 0;
   std::size_t bytes =
       state->diffusion->bytes() + state->sampled.size() * sizeof(glm::vec2) + state->sides.bytes();
-  for (const TriangleLattice& places : state->places)
-    bytes += places.positions().size() * 2 * sizeof(glm::vec3);
+  const TriangleLattice* before = nullptr;
+  for (const auto& places : state->places) {
+    if (places && places.get() != before) bytes += places->positions().size() * 2 * sizeof(glm::vec3);
+    before = places.get();
+  }
   return bytes;
+}
+
+void diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
+                     const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept, const TakeLevel& take,
+                     const Progress& progress) {
+  require(irradiance.size() == surface->maps.position.size(),
+          "Every texel of the atlas needs an irradiance.");
+  if (!kept.state || kept.state->surface != surface || kept.state->variances != profile.variances)
+    kept.state = std::make_unique<BlockDiffusion::State>(std::move(surface), profile, progress.part(0, 0.4));
+  const std::vector<glm::vec4> light = kept.state->lightOfSamples(irradiance);
+  for (int level = 1; level <= kLevels; ++level) {
+    const Progress part = progress.part(0.28 + 0.12 * level, 0.4 + 0.12 * level);
+    std::vector<glm::vec4> map = kept.state->diffuse(level, light, irradiance, part);
+    take(level, map);
+    part.update(1);
+  }
 }
 
 PointDiffusion::Levels diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
                                        const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept,
                                        const Progress& progress) {
-  require(irradiance.size() == surface->maps.position.size(),
-          "Every texel of the atlas needs an irradiance.");
-  if (!kept.state || kept.state->surface != surface || kept.state->variances != profile.variances)
-    kept.state = std::make_unique<BlockDiffusion::State>(std::move(surface), profile, progress.part(0, 0.4));
-  PointDiffusion::Levels levels = kept.state->diffuse(irradiance, progress.part(0.4, 1));
-  progress.update(1);
+  PointDiffusion::Levels levels;
+  diffuseInBlocks(
+      std::move(surface), profile, irradiance, kept,
+      [&](int level, std::vector<glm::vec4>& map) { levels[std::size_t(level - 1)] = std::move(map); },
+      progress);
   return levels;
 }
 

@@ -16,6 +16,7 @@ constexpr double kSpacing = 0.5;       // widths between a level's bunches, mean
 constexpr double kPlaneSpacing = 0.9;  // widths between bunches from which on a sum is too rough
 constexpr double kSpacingOfChoice =
     1.1;  // mean spacing of bunches, over the least distance of their chosen points
+constexpr double kLeastVariance = 0.2;  // of a Gaussian that is summed, in squares of the bunches' spacing
 constexpr std::size_t kPlacesPerTask = 512;
 
 // A Gaussian that is cut off and then has the variance that was asked for.
@@ -82,6 +83,9 @@ class Plane {
 
 AreaPoints inOrder(const AreaPoints& points, const std::vector<std::uint32_t>& order) {
   AreaPoints sorted;
+  sorted.positions.reserve(order.size());
+  sorted.normals.reserve(order.size());
+  sorted.areas.reserve(order.size());
   for (const std::uint32_t i : order) {
     sorted.positions.push_back(points.positions[i]);
     sorted.normals.push_back(points.normals[i]);
@@ -94,13 +98,14 @@ AreaPoints inOrder(const AreaPoints& points, const std::vector<std::uint32_t>& o
 
 PointDiffusion::Level PointDiffusion::makeLevel(const PointClusters& bunches, const PointClusters& base,
                                                 double variance) const {
-  constexpr double kLeastReach = 1.6, kLeastVariance = 0.2;  // in spacings and their squares
+  constexpr double kLeastReach = 1.6;  // in spacings
   Level level;
   const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
   const double spacing = std::max(1e-3, std::sqrt(area / double(bunches.points.size())));
   const double blurred = base.variance + bunches.variance, least = kLeastVariance * spacing * spacing;
   const CutGaussian gaussian = cutGaussian(std::max(variance - blurred, least), kLeastReach * spacing);
   level.resolved = variance > 0.5 * (blurred + least);
+  if (!level.resolved) return level;
   level.readsPlane = spacing > kPlaneSpacing * std::sqrt(gaussian.variance);
   level.reach = float(gaussian.reach);
   level.exponent = float(-0.5 / gaussian.variance);
@@ -108,6 +113,7 @@ PointDiffusion::Level PointDiffusion::makeLevel(const PointClusters& bunches, co
   level.points = inOrder(bunches.points, level.grid.order());
   std::vector<std::uint32_t> place(level.points.size());
   for (std::uint32_t i = 0; i < place.size(); ++i) place[level.grid.order()[i]] = i;
+  level.bunch.reserve(base.bunch.size());
   for (const std::uint32_t b : base.bunch)
     level.bunch.push_back(place[bunches.bunch.empty() ? b : bunches.bunch[b]]);
   return level;
@@ -118,8 +124,12 @@ PointDiffusion::PointDiffusion(const AreaPoints& samples, const GaussianSum& pro
     : areas_(samples.areas) {
   require(samples.size() > 0, "Light can spread on a surface only where it has samples.");
   const PointClusters base = clusterPoints(samples, kBaseSpacing, progress.part(0, 0.3));
+  const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0),
+               apart = area / double(base.points.size());
   for (int i = 1; i <= kLevels; ++i) {
     const double variance = profile.variances[std::size_t(i)], spacing = kSpacing * std::sqrt(variance);
+    // Bunches lie farther apart than the points: a Gaussian that these do not resolve needs none.
+    if (variance <= 0.5 * (base.variance + kLeastVariance * apart)) continue;
     const Progress part = progress.part(0.3 + 0.14 * (i - 1), 0.3 + 0.14 * i);
     const PointClusters bunches = spacing <= kBaseSpacing * kSpacingOfChoice
                                       ? PointClusters{base.points, {}, 0}
@@ -130,16 +140,18 @@ PointDiffusion::PointDiffusion(const AreaPoints& samples, const GaussianSum& pro
 }
 
 PointDiffusion::Levels PointDiffusion::gather(std::span<const glm::vec4> irradiance) const {
-  require(irradiance.size() == areas_.size(), "Every sample of the surface needs an irradiance.");
   Levels result;
-  parallelFor(kLevels, [&](std::ptrdiff_t l) {
-    const Level& level = levels_[std::size_t(l)];
-    std::vector<glm::vec4>& light = result[std::size_t(l)];
-    light.assign(level.points.size(), glm::vec4(0));
-    for (std::size_t s = 0; s < irradiance.size(); ++s)
-      light[level.bunch[s]] += areas_[s] / level.points.areas[level.bunch[s]] * irradiance[s];
-  });
+  parallelFor(kLevels, [&](std::ptrdiff_t l) { result[std::size_t(l)] = gather(int(l) + 1, irradiance); });
   return result;
+}
+
+std::vector<glm::vec4> PointDiffusion::gather(int number, std::span<const glm::vec4> irradiance) const {
+  require(irradiance.size() == areas_.size(), "Every sample of the surface needs an irradiance.");
+  const Level& level = levels_[std::size_t(number - 1)];
+  std::vector<glm::vec4> light(level.points.size(), glm::vec4(0));
+  for (std::size_t s = 0; s < irradiance.size(); ++s)
+    light[level.bunch[s]] += areas_[s] / level.points.areas[level.bunch[s]] * irradiance[s];
+  return light;
 }
 
 std::vector<glm::vec4> PointDiffusion::lightAt(int number, std::span<const glm::vec4> gathered,

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kTexelsPerTask = 64;
 constexpr double kSpacing = 0.15;  // mm between samples
+constexpr std::size_t kMostSamples = 8'000'000;
 
 // Numbers of the texels that are owned or beside one that is.
 std::vector<std::uint32_t> shownTexels(const AtlasMaps& maps) {
@@ -39,9 +40,10 @@ struct Parts {
   double spacing = kSpacing;
 };
 
-Parts partsOf(const GaussianSum& profile) {
+Parts partsOf(const GaussianSum& profile, const Mesh& mesh) {
   // As far apart as the second Gaussian allows.
-  const double spacing = std::clamp(0.7 * std::sqrt(profile.variances[1]), 0.1, 0.3);
+  const double spacing =
+      affordableSpacing(mesh, std::clamp(0.7 * std::sqrt(profile.variances[1]), 0.1, 0.3), kMostSamples);
   int first = 0;
   glm::dvec3 narrow(0);
   for (; first < GaussianSum::kCount && !isResolved(profile.variances[std::size_t(first)], spacing); ++first)
@@ -49,14 +51,15 @@ Parts partsOf(const GaussianSum& profile) {
   return {narrow, profileOf(profile, first), spacing};
 }
 
-Parts partsOf(const MediumRgb& medium) {
+Parts partsOf(const MediumRgb& medium, const Mesh& mesh) {
   const std::array<Dipole, 3> d{makeDipole(medium[0]), makeDipole(medium[1]), makeDipole(medium[2])};
   const glm::dvec3 total(totalReflectance(d[0]), totalReflectance(d[1]), totalReflectance(d[2]));
   const auto perArea = [=](double r) {
     return glm::dvec3(diffuseReflectance(d[0], r), diffuseReflectance(d[1], r), diffuseReflectance(d[2], r)) /
            total;
   };
-  return {glm::dvec3(0), RadialProfile(perArea, glm::dvec3(1)), kSpacing};
+  return {glm::dvec3(0), RadialProfile(perArea, glm::dvec3(1)),
+          affordableSpacing(mesh, kSpacing, kMostSamples)};
 }
 
 HierarchicalIntegral treeOf(const SkinSurface& surface, const std::vector<glm::vec4>& irradiance,
@@ -101,13 +104,13 @@ std::vector<glm::vec4> integrate(const SkinSurface& surface, const Parts& parts,
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const GaussianSum& profile,
                                           const std::vector<glm::vec4>& irradiance,
                                           const Progress& progress) {
-  return integrate(surface, partsOf(profile), irradiance, progress);
+  return integrate(surface, partsOf(profile, *surface.mesh), irradiance, progress);
 }
 
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const MediumRgb& medium,
                                           const std::vector<glm::vec4>& irradiance,
                                           const Progress& progress) {
-  return integrate(surface, partsOf(medium), irradiance, progress);
+  return integrate(surface, partsOf(medium, *surface.mesh), irradiance, progress);
 }
 
 }  // namespace sonoskin

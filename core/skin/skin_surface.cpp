@@ -37,14 +37,29 @@ void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& su
         "a map is made for it instead.");
   surface.atlas = buildAtlas(mesh, options, progress.part(0, 0.8));
   surface.check = checkAtlas(mesh, surface.atlas);
-  surface.pointBased = !surface.check.good();
-  if (surface.pointBased) surface.atlas = blockAtlas(mesh, options.texel, options.maxSize);
+  surface.pointBased =
+      !surface.check.good() || std::max(surface.atlas.size.x, surface.atlas.size.y) > options.maxSize;
+  if (!surface.pointBased) return;
+  surface.atlas = blockAtlas(mesh, options.texel, options.maxSize, options.maxTexels);
+  surface.atlas.unit = float(options.unit);
 }
 
-// However large the object, its maps have no more texels than this, skirts and gaps aside: 80 bytes each.
-constexpr double kMostTexels = 8e6;
+// The texels of an object of that area: as the quality has them, but neither so many nor so few on all of the surface.
+// Where they are so large that light does not get from one to the next, what it spreads over cannot be seen.
+double texelFor(double area, const SkinQuality& quality) {
+  constexpr double kCovered = 0.3;  // of an atlas: skirts, gaps and charts' corners are the rest
+  constexpr double kLeast = 4096;   // on a thing that is smaller than a nose
+  return std::clamp(quality.texel, std::sqrt(area / (kCovered * quality.texels)),
+                    std::max(std::sqrt(area / kLeast), 1e-9));
+}
 
 }  // namespace
+
+void SkinSurface::keepForLight() {
+  // Vectors give memory back when they are destroyed, not when they are assigned to.
+  AtlasMaps kept{maps.size, std::move(maps.position), {}, {}, {}, std::move(maps.triangle)};
+  maps = std::move(kept);
+}
 
 SkinQuality fullQuality() { return {}; }
 
@@ -52,6 +67,7 @@ SkinQuality pictureQuality() {
   SkinQuality quality = fullQuality();
   quality.points = true;
   quality.skirt = 4.5;  // only depths are blurred, by 1.41 mm at most
+  quality.texels = 4e6;
   return quality;
 }
 
@@ -59,6 +75,7 @@ SkinQuality lightQuality() {
   SkinQuality quality;
   quality.triangles = 100000;
   quality.texel = 0.30;
+  quality.texels = 4e6;
   quality.skirt = 5;
   quality.shadowSize = 1024;
   quality.shadowTaps = 9;
@@ -66,14 +83,16 @@ SkinQuality lightQuality() {
   return quality;
 }
 
-std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
-                                               const SkinQuality& quality, const Progress& progress) {
+std::shared_ptr<SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
+                                         const SkinQuality& quality, const Progress& progress) {
   require(mesh && !mesh->empty(), "There is no surface to show as skin.");
   auto surface = std::make_shared<SkinSurface>();
   surface->mesh = reduced(std::move(mesh), quality.triangles, progress.part(0, 0.2));
   const SurfaceTraits traits = measureTraits(*surface->mesh, 128, 2, progress.part(0.2, 0.5));
   AtlasOptions options;
-  options.texel = std::max(quality.texel, std::sqrt(surfaceArea(*surface->mesh) / kMostTexels));
+  options.texel = texelFor(surfaceArea(*surface->mesh), quality);
+  options.unit = options.texel / quality.texel;
+  options.maxTexels = quality.texels;
   options.skirt = quality.skirt;
   options.front = front;
   options.maxSize = kMaxSize;

@@ -10,7 +10,9 @@ namespace sonoskin {
 
 // SkinQuality: what pictures of skin may cost.
 //   triangles       the mesh is reduced to about so many; 0: all are kept
-//   texel           mm; larger on objects of more than some 0.2 m², whose maps would not end
+//   texel           mm of a body; larger and smaller objects are shown with larger and smaller ones, see `texels`
+//   texels          at most in all, gaps between charts included: 200 bytes each while a picture is made. 4 million
+//                   are enough for 0.15 mm on 270 cm² of skin, more than any scan shows, and for 0.3 mm on any head
 //   skirt           mm: how much of the surface beyond a chart is drawn beside it for blurs to find: three widths of the
 //                   widest blur make 8; 5 cost 0.0005 of its red on average      [skin specification, section 4.1]
 //   shadowSize      texels along the side of each light's depth map
@@ -23,6 +25,7 @@ namespace sonoskin {
 struct SkinQuality {
   int triangles = 0;
   double texel = 0.15;
+  double texels = 1.25e7;
   double skirt = 8;
   int shadowSize = 2048;
   int shadowTaps = 32;
@@ -38,6 +41,7 @@ SkinQuality lightQuality();
 
 // SkinSurface: a mesh made ready to be shown as skin.
 //   atlas        charts; blocks where the check fails (pointBased is true then)
+//   maps         without what only the GPU reads once keepForLight() was asked for
 struct SkinSurface {
   std::shared_ptr<const Mesh> mesh;  // what is drawn: reduced if the quality asks for it
   Atlas atlas;
@@ -45,6 +49,10 @@ struct SkinSurface {
   AtlasVertices vertices;
   AtlasMaps maps;
   bool pointBased = false;
+
+  // keepForLight: gives the memory of normals, open sky and stretch back, once they are on the GPU: half of the maps'.
+  // What spreads light from point to point needs the others alone.
+  void keepForLight();
 };
 
 // prepareSkin: everything about a surface that light and camera do not change.
@@ -52,7 +60,7 @@ struct SkinSurface {
 //           front  unit, toward the home view's eye
 //   cost    0.5 M triangles in full quality: about 2 s on two cores
 //   errors  Error: no triangles; Cancelled
-std::shared_ptr<const SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
-                                               const SkinQuality& quality, const Progress& progress = {});
+std::shared_ptr<SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
+                                         const SkinQuality& quality, const Progress& progress = {});
 
 }  // namespace sonoskin

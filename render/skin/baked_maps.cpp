@@ -82,6 +82,7 @@ TexturedMesh bakeSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, co
   context.makeCurrent();
   GpuSkin gpu;
   gpu.set(surface);
+  surface->keepForLight();
   const SkinLook look{parameters.skin, parameters.landmarks, makeLightRig(parameters.light, home, box)};
   TexturedMesh baked = bakeSurface(gpu, look, bake);
   progress.update(1);

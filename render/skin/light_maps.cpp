@@ -16,11 +16,12 @@ namespace {
 // A lamp's view toward the middle of a box.
 glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, float& width) {
   const glm::vec3 way = box.centre() - lamp.position;
-  const float distance = std::max(glm::length(way), 1e-3f), radius = 0.51f * box.diagonal();
-  const glm::vec3 forward = way / distance;
+  const float radius = 0.51f * box.diagonal(), distance = std::max(glm::length(way), 1e-3f * radius);
+  // A lamp in the very middle looks anywhere.
+  const glm::vec3 forward = glm::length(way) < 0.5f * distance ? glm::vec3(0, 1, 0) : way / distance;
   // From within the sphere around the box no view sees all of it: the part before the lamp must do.
   const float half = distance > 1.05f * radius ? std::asin(radius / distance) : glm::radians(70.f);
-  const float near = std::max({distance - radius, 0.02f * radius, 1.f}), far = distance + radius;
+  const float near = std::max(distance - radius, 0.02f * radius), far = distance + radius;
   const glm::mat4 projection = glm::perspective(2 * half, 1.f, near, far);
   const glm::vec3 up = std::abs(forward.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
   terms = depthTerms(projection);
@@ -33,11 +34,14 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
 std::string kindDefine(const LightRig& lights) { return fmt::format("KIND {}", int(lights.lights[0].kind)); }
 
 LightMaps::LightMaps() : program_({"skin/light_depth.vert", "skin/light_depth.frag"}) {
+  gl::FramebufferDescription depths{.size = {1, 1}, .colours = {}, .depth = gl::Format::depth32f};
   for (Map& map : maps_) {
-    map.exits = gl::Framebuffer({.size = {1, 1}, .colours = {}, .depth = gl::Format::depth32f});
-    map.target =
-        gl::Framebuffer({.size = {1, 1}, .colours = {gl::Format::rg32f}, .depth = gl::Format::depth32f});
+    map.exits = gl::Framebuffer(depths);
+    map.target = gl::Framebuffer(depths);
   }
+  // Of light 0 alone: where it enters.
+  depths.colours = {gl::Format::rg32f};
+  maps_[0].target = gl::Framebuffer(depths);
 }
 
 // Draws the triangles that do not face the culled way.
@@ -104,8 +108,8 @@ std::size_t LightMaps::bytes() const {
   const auto texels = [](const gl::Framebuffer& f) {
     return std::size_t(f.size().x) * std::size_t(f.size().y);
   };
-  for (const Map& map : maps_) sum += texels(map.target) * 12 + texels(map.exits) * 4;
-  return sum;
+  for (const Map& map : maps_) sum += texels(map.target) * 4 + texels(map.exits) * 4;
+  return sum + texels(maps_[0].target) * 8;
 }
 
 }  // namespace sonoskin

@@ -9,7 +9,7 @@
 
 namespace sonoskin {
 
-// LightMaps: what each shadowing light sees of the surface: depths, and where in the atlas it is. Triangles that face
+// LightMaps: what each shadowing light sees of the surface: depths, and of light 0 where in the atlas it is. Triangles that face
 // away are left out: an open shell that is lit from behind would glow all over. Their depths, where light leaves the
 // body, are a map of its own for light 0, which alone comes through thin parts.
 //   a modified translucent shadow map                                   [GPU Gems 3, ch. 14.5.4; skin specification, section 6]
@@ -22,7 +22,7 @@ class LightMaps {
   // setLights: the uniforms of shaders/skin/lights.glsl.
   void setLights(gl::Program& program, const LightRig& lights) const;
   const gl::Texture& depth(std::size_t light) const { return maps_[light].target.depth(); }
-  const gl::Texture& place(std::size_t light) const { return maps_[light].target.colour(); }
+  const gl::Texture& place() const { return maps_[0].target.colour(); }
   const gl::Texture& exit(std::size_t light) const { return maps_[light].exits.depth(); }
   std::size_t bytes() const;
 

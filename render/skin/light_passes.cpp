@@ -209,7 +209,7 @@ void LightPasses::drawVisibility(const GpuSkin& surface) {
     bindTo(p, "normalMap", 1, surface.parts().normal);
     bindTo(p, "openMap", 2, surface.parts().open);
     bindTo(p, "depthMap", 3, lightMaps_.depth(i));
-    bindTo(p, "placeMap", 4, lightMaps_.place(i));
+    bindTo(p, "placeMap", 4, lightMaps_.place());
     bindTo(p, "exitMap", 5, lightMaps_.exit(i));
     lightMaps_.setLights(p, look_.lights);
     p.set("density", float(look_.skin.density));
@@ -236,10 +236,9 @@ void LightPasses::drawIrradiance(const GpuSkin& surface) {
 }
 
 void LightPasses::spreadPoints(const GpuSkin& surface) {
-  const PointDiffusion::Levels spread = diffuseInBlocks(surface.parts().surface, skin_.diffusion,
-                                                        gl::readTexels(irradiance_.colour(0)), points_);
-  for (int level = 1; level < kLevels; ++level)
-    levels_.set(level, spread[std::size_t(level - 1)], irradiance_.colour(0));
+  diffuseInBlocks(
+      surface.parts().surface, skin_.diffusion, gl::readTexels(irradiance_.colour(0)), points_,
+      [&](int level, const std::vector<glm::vec4>& map) { levels_.set(level, map, irradiance_.colour(0)); });
 }
 
 void LightPasses::setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels) {
@@ -295,7 +294,7 @@ void LightPasses::combine(const GpuSkin& surface, int part, const gl::Framebuffe
   for (int i = 0; i < 3; ++i) {
     bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin(i));
   }
-  bindTo(p, "placeMap", 13, lightMaps_.place(0));
+  bindTo(p, "placeMap", 13, lightMaps_.place());
   lightMaps_.setLights(p, look_.lights);
   p.set("variances", glm::vec3(d.variances[3], d.variances[4], d.variances[5]));
   p.set("reach", float(SkinMaterial::kReach));

@@ -54,6 +54,7 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   context.makeCurrent();
   GpuSkin gpu;
   gpu.set(surface);
+  if (!look.reference) surface->keepForLight();
   SkinView view;
   if (look.reference) {
     view.relight(gpu, skin, look.quality);
