@@ -5,7 +5,7 @@
 
 #include "core/base/error_text.h"
 #include "core/base/log.h"
-#include "core/base/log.h"
+#include "core/pipeline/check_ranges.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/scan_doubts.h"
@@ -13,7 +13,20 @@
 
 namespace sonoskin {
 
-Session::Session(const Parameters& parameters) : parameters_(parameters), history_({parameters}) {}
+namespace {
+
+// Whoever sets parameters, an editor, a recipe or what a window was started with: what is drawn needs numbers within their
+// ranges, and beams, at any time.
+Parameters drawable(Parameters given, const ScanOptions& before) {
+  given = withinRanges(std::move(given));
+  given.scan = sidesApart(given.scan, before);
+  return given;
+}
+
+}  // namespace
+
+Session::Session(const Parameters& parameters)
+    : parameters_(drawable(parameters, {})), history_({parameters_}) {}
 
 // A crop box and what was erased belong to their volume: for one of other dimensions both begin anew, and with them
 // what undo goes back to. So do landmarks, for any other scan.
@@ -49,8 +62,7 @@ void Session::edit(const Parameters& parameters) { show(parameters); }
 
 // Makes these the parameters; what is shown live is made anew where it depends on what changed.
 void Session::show(const Parameters& given) {
-  Parameters parameters = given;
-  parameters.scan = sidesApart(given.scan, parameters_.scan);  // what is drawn needs beams at any time
+  const Parameters parameters = drawable(given, parameters_.scan);
   const StageKeys before = stageKeys(scan_.key, scan_.erasedKey, parameters_);
   parameters_ = parameters;
   const StageKeys after = currentKeys();

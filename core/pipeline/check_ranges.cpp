@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace sonoskin {
@@ -41,6 +43,35 @@ void checkRanges(const Parameters& parameters) {
     throw Error(fmt::format("mesh.partsCut has {} places: a stroke has three, its begin, its end and the eye",
                             parameters.mesh.partsCut.size()),
                 Error::Kind::usage);
+}
+
+namespace {
+
+struct Clamping {
+  template <class T>
+  void operator()(const Group&, const Field&, T& value, const Range<T>& range) const {
+    value = value >= range.min ? std::min(value, range.max) : range.min;
+  }
+  template <class T>
+  void operator()(const Group& group, const Field& field, std::array<T, 3>& values,
+                  const Range<T>& range) const {
+    for (T& value : values) (*this)(group, field, value, range);
+  }
+  template <class T>
+  void operator()(const Group& group, const Field& field, Places& places, const Range<T>& range) const {
+    for (auto& place : places) (*this)(group, field, place, range);
+  }
+  template <class T>
+  void operator()(const Group&, const Field&, T&) const {}
+};
+
+}  // namespace
+
+Parameters withinRanges(Parameters parameters) {
+  forEachField(Clamping{}, parameters);
+  Places& cut = parameters.mesh.partsCut;
+  cut.resize(cut.size() - cut.size() % 3);
+  return parameters;
 }
 
 }  // namespace sonoskin
