@@ -91,9 +91,9 @@ void placeSkirts(const Mesh& mesh, const std::array<ChartAxis, kChartAxes>& axes
 
 Charts findCharts(const Facets& facets, const AtlasOptions& options,
                   const std::array<ChartAxis, kChartAxes>& axes, const Progress& progress) {
-  // mm²; surfaces that are small as a whole have smaller charts. Smaller ones than in the specification: merged into a
+  // mm²; surfaces that are small as a whole have smaller charts. Small ones stay: merged into a
   // neighbour they are seen from the side or turned over, and light that is blurred there is wrong by far more than at a
-  // few more seams.                                                    [skin specification, section 4.2; sizes: ours]
+  // few more seams.                                                                     [theory/skin.md, 3.2, step 4]
   const double area = facets.area(), square = options.unit * options.unit,
                smallest = std::min(std::max(18 * square, area / 800), area / 150),
                tiny = std::min(0.6 * square, area / 5000);

@@ -43,7 +43,7 @@ struct AtlasOptions {
 };
 
 // buildAtlas: charts by parallel projection along 14 axes, of which one is `front`.
-//   method   skin specification, section 4.2
+//   method   theory/skin.md, 3.2
 //   cost     1 million triangles: below 2 s on two cores
 //   errors   Cancelled
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress = {});
@@ -70,7 +70,7 @@ struct AtlasCheck {
   double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
   double seamLength = 0;  // mm
   double area = 0;
-  // good: whether light may be diffused in it.    [skin specification, section 20: 60 charts; more for large heads: ours]
+  // good: whether light may be diffused in it.               [theory/skin.md, 3.1: 60 charts; more for large heads: ours]
   bool good() const { return overlap <= 0.01 && charts <= 60 + area / 100; }
 };
 AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr float kFacing =
-    0.3f;  // least cosine between a chart's normal and its axis   [skin specification, 4.1]
+    0.3f;  // least cosine between a chart's normal and its axis   [theory/skin.md, 3.2, step 4]
 
 // The neighbour with the longest border, if asked for only among those whose axis the region faces; kNone without one.
 std::uint32_t bestNeighbour(const Region& region, const Charts& charts,

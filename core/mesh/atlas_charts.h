@@ -5,7 +5,7 @@
 
 namespace sonoskin {
 
-// The least cosine between the normal of a chart and its axis.                        [skin specification, section 4.1]
+// The least cosine between the normal of a chart and its axis.                                    [theory/skin.md, 3.2]
 inline constexpr float kLeastFacing = 0.3f;
 
 // Charts: which triangles are projected together, and along which of the 14 axes.

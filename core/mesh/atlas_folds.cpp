@@ -8,7 +8,7 @@ namespace sonoskin {
 namespace {
 
 // mm of a body: those of larger and smaller objects are as many units.
-constexpr float kCell = 0.3f, kDepth = 0.8f;  // [skin specification, 4.2]
+constexpr float kCell = 0.3f, kDepth = 0.8f;  // [theory/skin.md, 3.2, step 5]
 constexpr float kMargin = 1;                  // around what is hidden
 
 using Projected = std::array<glm::vec3, 3>;

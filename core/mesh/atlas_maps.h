@@ -13,7 +13,7 @@ namespace sonoskin {
 //   position   xyz: world mm; w: 1 owned, 0.5 skirt or a texel of rim, 0 nothing there
 //   normal     xyz: unit; w: mean curvature in 1/mm, positive where the surface is convex
 //   occlusion  xyz: unit, the mean direction of open sky; w: 0 (closed in) to 1 (open)
-//   stretch    mm per texel along u and v, from positions smoothed over 0.5 mm; never 0   [skin specification, section 5]
+//   stretch    mm per texel along u and v, from positions smoothed over 0.5 mm; never 0             [theory/skin.md, 3.4]
 //   triangle   of the mesh that the texel shows
 struct AtlasMaps {
   glm::ivec2 size{0};

@@ -8,7 +8,7 @@ namespace sonoskin {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::max();
-constexpr float kFacing = 0.15f;  // least cosine to the axis  [skin specification, 4.2, step 6]
+constexpr float kFacing = 0.15f;  // least cosine to the axis      [theory/skin.md, 3.2, step 6]
 
 // The triangles at each vertex.
 Groups trianglesAtVertices(const Mesh& mesh) {

@@ -27,7 +27,7 @@ inline bool isResolved(double variance, double spacing) { return variance > 1.5 
 //   output   E_i per target. Gaussians that the samples do not resolve leave the target's own irradiance.
 //   solves   E_i(x) = sum_j A_j G(v_i, |x - x_j|) E_j / sum_j A_j G(v_i, |x - x_j|), over samples within four widths; the
 //            lower sum is over local samples always: it removes the unevenness of the samples and the surface's
-//            borders, but not the light through thin parts                       [skin specification, section 16.3]
+//            borders, but not the light through thin parts                                    [theory/skin.md, 6.1]
 //   cost     a target with 0.11 mm between samples: 0.4 ms on one core
 //   errors   Error: not one irradiance per sample; Cancelled
 std::vector<DiffusedLevels> bruteForceDiffusion(const SurfaceSamples& samples,

@@ -11,7 +11,7 @@ struct DiffusionTarget {
 };
 
 // Reach: which light comes out at a place. local: that of surface which faces about the same way, all that a blur in an
-// atlas can know of; full: also what passes through thin parts.            [skin specification, section 16.3]
+// atlas can know of; full: also what passes through thin parts.                         [theory/skin.md, 6.1]
 enum class Reach { local, full };
 
 // isLocal: whether light may spread between two places without passing through the body.

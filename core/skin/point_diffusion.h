@@ -17,7 +17,7 @@ namespace sonoskin {
 //             its Gaussian apart. The light at a place is the Gaussian's sum over the level's bunches that face about the
 //             same way: at folds that is asked once, and of the place itself. What bunches blur is taken off the Gaussian;
 //             where they are too far apart for a sum, the plane through them is read.
-//                                          [skin specification, section 20.2, in one step instead of one for each level]
+//                                                                                                  [theory/skin.md, 6.3]
 //   levels    1 to 5: the Gaussians number 1 to 5 of the sum; number 0 is narrower than the points
 //   cost      100,000 triangles on 14,000 mm^2: built in 0.3 s of CPU, 25 MB
 class PointDiffusion {

@@ -14,7 +14,7 @@ namespace sonoskin {
 //   texels          at most in all, gaps between charts included: 200 bytes each while a picture is made. 4 million
 //                   are enough for 0.15 mm on 270 cm² of skin, more than any scan shows, and for 0.3 mm on any head
 //   skirt           mm: how much of the surface beyond a chart is drawn beside it for blurs to find: three widths of the
-//                   widest blur make 8; 5 cost 0.0005 of its red on average      [skin specification, section 4.1]
+//                   widest blur make 8; 5 cost 0.0005 of its red on average          [theory/skin.md, 3.2, step 6]
 //   shadowSize      texels along the side of each light's depth map
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2

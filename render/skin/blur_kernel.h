@@ -12,7 +12,7 @@ struct BlurKernel {
 };
 
 // makeBlurKernel: a Gaussian sampled `spacing` standard deviations apart out to 3.5, times the a + b x^2 that brings its sum
-// and its variance to 1.                                          [skin specification, section 8: the seven taps at 1]
+// and its variance to 1.                                                                         [theory/skin.md, 5.2]
 //   spacing  1/6 to 1
 BlurKernel makeBlurKernel(double spacing);
 

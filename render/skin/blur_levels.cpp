@@ -73,7 +73,7 @@ void BlurLevels::blur(const GpuSkin& surface, const gl::Texture& from, const Spr
   draw(spare.colour(), {0, 1}, along(spread.to, coarser ? 1 : 0), to);
 }
 
-// What reading between the texels of a coarse map blurs is taken off.                  [skin specification, section 8]
+// What reading between the texels of a coarse map blurs is taken off.                            [theory/skin.md, 5.4]
 void BlurLevels::draw(const GpuSkin& surface, const GaussianSum& sum, int level,
                       const gl::Texture& irradiance) {
   const auto at = std::size_t(level);

@@ -15,7 +15,7 @@ struct DetailTile {
 };
 
 // makeDetailTile: dimples (pores and the roots of fine hair, 0.4 mm apart, 12 um deep) between lines that cross.
-//                                                                    [skin specification, section 12.5]
+//                                                                                [theory/skin.md, 10.3]
 //   cost     30 ms
 DetailTile makeDetailTile();
 

@@ -12,7 +12,7 @@ namespace sonoskin {
 // LightMaps: what each shadowing light sees of the surface: depths, and of light 0 where in the atlas it is. Triangles that face
 // away are left out: an open shell that is lit from behind would glow all over. Their depths, where light leaves the
 // body, are a map of its own for light 0, which alone comes through thin parts.
-//   a modified translucent shadow map                                   [GPU Gems 3, ch. 14.5.4; skin specification, section 6]
+//   a modified translucent shadow map                                        [GPU Gems 3, ch. 14.5.4; theory/skin.md, 4.2, 7.1]
 class LightMaps {
  public:
   LightMaps();

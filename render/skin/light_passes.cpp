@@ -262,7 +262,7 @@ void LightPasses::blurThin(const GpuSkin& surface) {
     levels_.blur(surface, depth, kThinSmoothing * kThinSmoothing, kThinLooks, thin_[0]);
     return;
   }
-  // The depth that Gaussian i meets is blurred as far as level i - 1.                       [skin specification, section 9.2]
+  // The depth that Gaussian i meets is blurred as far as level i - 1.                                   [theory/skin.md, 7.2]
   const auto& v = skin_.diffusion.variances;
   double before = 0;
   const gl::Texture* from = &depth;

@@ -1,5 +1,5 @@
 // One direction of a Gaussian blur on the surface. Texels that show nothing do not count, so that light ends at the
-// surface's borders instead of leaking out. TAPS: on either side.                       [skin specification, section 8]
+// surface's borders instead of leaking out. TAPS: on either side.                                 [theory/skin.md, 5.1]
 uniform sampler2D light;       // premultiplied by coverage
 uniform sampler2D stretchMap;  // mm per texel
 uniform vec2 size;             // texels of what is drawn into; wide blurs have coarser maps

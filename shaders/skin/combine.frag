@@ -25,7 +25,7 @@ vec3 at(sampler2D map, vec2 uv) {
 
 float depthOf(float thin) { return -log(max(thin, 1e-6)) / kThickness; }
 
-// A plate of the local depth, lit from behind.                                  [skin specification, sections 9.3, 9.4]
+// A plate of the local depth, lit from behind.                                                    [theory/skin.md, 7.3]
 vec3 throughPlate(float thin, vec3 p, vec3 n) {
   float d = depthOf(thin), facing = -dot(n, toLight(0, p));
   const bool inside = KIND == 2;
@@ -37,7 +37,7 @@ vec3 throughPlate(float thin, vec3 p, vec3 n) {
   return share * arriving(0, p) * max(facing, inside ? 0.2 : 0.0) * fade;
 }
 
-// The Gaussians themselves, at the distance of the depth.                              [skin specification, section 9.2]
+// The Gaussians themselves, at the distance of the depth.                                          [theory/skin.md, 7.2]
 vec3 throughGaussians(vec2 uv, vec3 p, vec3 n) {
   vec3 l = toLight(0, p);
   if (dot(n, l) >= 0.0 || lights[0].shadows == 0.0) return vec3(0.0);

@@ -3,7 +3,7 @@ uniform sampler3D detailTile;  // gradient of the height, per mm of its own fram
 uniform float tileLength;      // mm
 uniform vec2 lostSlope;        // mean squared slope of each layer
 
-// Slopes that are too fine for the picture make it rougher instead of sparkling.      [skin specification, section 12.5]
+// Slopes that are too fine for the picture make it rougher instead of sparkling.                  [theory/skin.md, 10.3]
 vec3 bumped(vec3 n, vec3 p, float pixel, float strength, inout float m) {
 #if DETAIL > 0
   const float frequency[2] = float[](2.5, 0.45);  // per mm

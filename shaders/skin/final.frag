@@ -1,5 +1,5 @@
 // The skin as the camera sees it: light that has spread, the narrowest Gaussian at the picture's own resolution, and the
-// surface's reflection.                                                              [skin specification, section 11]
+// surface's reflection.                                                                         [theory/skin.md, 9.2]
 // Variants: KIND, see lights.glsl; DETAIL: layers of pores and lines; LINEAR: display-linear output for the resolve pass;
 // LOBES: of the surface's reflection; WET: a film of water lies on it;
 // PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.

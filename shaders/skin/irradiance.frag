@@ -1,4 +1,4 @@
-// What light enters the skin at every texel of the atlas. Variants: KIND, see lights.glsl.    [skin specification, section 7]
+// What light enters the skin at every texel of the atlas. Variants: KIND, see lights.glsl.              [theory/skin.md, 4.3]
 #include "common/occlusion.glsl"
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"

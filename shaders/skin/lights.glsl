@@ -17,7 +17,7 @@ bool isFar(int i) { return i > 0 || KIND == 0; }
 
 vec3 toLight(int i, vec3 p) { return isFar(i) ? lights[i].position : normalize(lights[i].position - p); }
 
-// What arrives at p where nothing is in the way.                              [skin specification, section 7]
+// What arrives at p where nothing is in the way.                                        [theory/skin.md, 4.1]
 vec3 arriving(int i, vec3 p) {
   if (isFar(i)) return lights[i].colour;
   vec3 way = lights[i].position - p;

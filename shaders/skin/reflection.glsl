@@ -15,7 +15,7 @@ float schlick(float f, float cosine) {
   return f + (1.0 - f) * x2 * x2 * x;
 }
 
-// pi f cos of one lobe.                           [Kelemen, Szirmay-Kalos 2001; skin specification, section 10.1]
+// pi f cos of one lobe.                                        [Kelemen, Szirmay-Kalos 2001; theory/skin.md, 8.1]
 float lobe(vec3 n, vec3 toEye, vec3 l, float m, float f) {
   vec3 sum = toEye + l;
   float squared = max(dot(sum, sum), 1e-4);

@@ -1,5 +1,5 @@
 // How much of one light reaches every texel of the atlas, and of light 0, how deep the skin is there as it sees it.
-// Variants: LIGHT: its number; KIND, see lights.glsl; TAPS: looks into its depth map.  [skin specification, sections 7, 9.1]
+// Variants: LIGHT: its number; KIND, see lights.glsl; TAPS: looks into its depth map.             [theory/skin.md, 4.2, 7.1]
 #include "common/noise.glsl"
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"
@@ -61,7 +61,7 @@ float isPlate(float opposite, float d) {
 }
 
 // exp(-k d) of the way through the body to where the light enters. Where the way leaves the body in between, as from a
-// hand to the cheek below it, nothing comes through.            [skin specification, section 9.1; the way's exits: ours]
+// hand to the cheek below it, nothing comes through.                        [theory/skin.md, 7.1; the way's exits: ours]
 float thickness(vec3 p, vec3 n, vec3 l) {
   float facing = -dot(n, l);
   if (facing <= 0.0) return exp(-kThickness * kNothing);

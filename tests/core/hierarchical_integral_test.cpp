@@ -31,7 +31,7 @@ RadialProfile dipoleProfile() {
 
 double terminator(const glm::vec3&, const glm::vec3& n) { return std::max(0.f, n.z); }
 
-// Samples as far apart as those of the specification's table: 95,000 on about 14,000 mm^2.
+// Samples as far apart as those of the errors in theory/skin.md, 6.2: 95,000 on about 14,000 mm^2.
 struct Head {
   SurfaceSamples samples = sampleSurface(test::icosphere(6, 33, glm::vec3(0)), 0.45);
   std::vector<glm::vec3> irradiance = test::irradianceOn(samples, terminator);

@@ -110,7 +110,7 @@ class SkinThroughTest : public GlTest {
   SkinView view_;
 };
 
-// A plate that is lit from behind shows the transmittance of its thickness.          [skin specification, section 9.3]
+// A plate that is lit from behind shows the transmittance of its thickness.                      [theory/skin.md, 7.3]
 TEST_F(SkinThroughTest, APlateShowsItsTransmittance) {
   const SkinMaterial material = makeSkinMaterial(plainSkin(1));
   for (const float thickness : {4.f, 6.f, 10.f}) {

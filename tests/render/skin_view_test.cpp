@@ -44,7 +44,7 @@ class SkinViewTest : public GlTest {
   }
 };
 
-// Half of the plane is lit: the table T2 of the skin specification, section 17.
+// Half of the plane is lit: the table T2 of theory/skin.md, 12.2.
 TEST_F(SkinViewTest, SpreadsTheEdgeOfAShadow) {
   const auto plane = skinPlane(42, kTexel);
   GpuSkin gpu;
