@@ -26,7 +26,7 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
 // classify: the volume u that is near 1 on surfaces and near 0 elsewhere.
 //   solves   minimise 1/2 sum alpha a u^2 + beta |grad u x g|^2 + gamma h (u - uind)^2, that is
 //            (alpha a + gamma h) u - beta div(D grad u) = gamma h uind
-//            [Fattal, Lischinski 2001, with the tangential term of decision 0001; a and h: data_term.h]
+//            [Fattal, Lischinski 2001, with the tangential term of theory/classification.md, 2.3; a and h: data_term.h]
 //            with the formulations of the thesis its equation 3.7 instead (thesis_system.h), which needs no
 //            `smoothed`
 //   options  isoValue 0: from place to place, as `smoothed.levels` and isoShare say; the thesis' formulations need one
