@@ -31,7 +31,7 @@ TEST(BlurKernel, HasSumAndVarianceOne) {
   }
 }
 
-// To six digits.                                                                      [theory/skin.md, 5.2]
+// The taps of a kernel whose sum and variance are one.                               [theory/skin.md, 5.2]
 TEST(BlurKernel, SevenTapsAreThoseOfTheSpecification) {
   const BlurKernel k = makeBlurKernel(1);
   const double printed[] = {0.398215, 0.242037, 0.054347, 0.004508};
