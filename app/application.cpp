@@ -43,11 +43,13 @@ Application::~Application() {
   writeSettings(settingsFile(), workspace_.settings);
 }
 
-void Application::attempt(const std::function<void()>& action) {
+bool Application::attempt(const std::function<void()>& action) {
   try {
     action();
+    return true;
   } catch (const std::exception& error) {
     workspace_.toasts.add(errorText(error), true);
+    return false;
   }
 }
 
@@ -68,25 +70,23 @@ bool Application::frame() {
   arrived |= log_.waiting();
   if (arrived) window_.requestFrames();
   const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
-  if (event || arrived || due) {
-    attempt([this] { takeInput(); });
-    attempt([this] { updateDocument(); });
-    draw();
-  }
-  if (window_.closeRequested()) {
-    window_.keepOpen();  // until the question is answered, where there is one
-    workspace_.carefully("Quitting", [this] { workspace_.quit = true; });
-    window_.requestFrames();
-  }
+  if (event || arrived || due) draw();
+  if (window_.closeRequested()) attempt([this] { answerClosing(); });
   return !workspace_.quit || workspace_.session.saving();
 }
 
-void Application::takeInput() {
+void Application::answerClosing() {
+  window_.keepOpen();  // until the question is answered, where there is one
+  window_.requestFrames();
+  workspace_.carefully("Quitting", [this] { workspace_.quit = true; });
+}
+
+// Keys are looked at when their frame has begun: whether a text field takes them is known only then.
+void Application::takeInput(const std::optional<Event>& event) {
   for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
-  for (const KeyPress& press : window_.takeKeys()) {
-    const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || press.alt;
-    if (!elsewhere) runShortcut({press.key, press.control, press.shift}, workspace_);
-  }
+  if (!event || event->kind != Event::Kind::key || !event->down) return;
+  const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
+  if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);
 }
 
 void Application::updateDocument() {
@@ -120,23 +120,38 @@ void Application::updateDocument() {
 }
 
 void Application::draw() {
-  window_.beginFrame();
-  attempt([this] {
-    ui::drawMenuBar(workspace_);
-    drawMain();
-    ui::drawKeys(workspace_);
-    ui::drawAbout(workspace_);
-    ui::drawQuestion(workspace_);
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float below = ui::drawLog(workspace_);
-    toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
-                                 viewport.Size.y - below - 48 * ui::unit());
-    if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
+  const auto isAsking = [this] { return workspace_.files.purpose || workspace_.question; };
+  const bool asked = isAsking();
+  std::optional<Event> event;
+  const bool begun = attempt([&] {
+    if (atFrame && !window_.eventsWait()) atFrame();
+    event = window_.beginFrame();
   });
+  if (!begun) return;
+  workspace_.view.catchingUp = window_.eventsWait();
+  attempt([&] { takeInput(event); });
+  attempt([this] { updateDocument(); });
+  attempt([this] { drawInterface(); });
+  if (isAsking() && !asked) window_.settle();
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
-  gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
-  window_.endFrame();
+  attempt([this] {
+    gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
+    window_.endFrame();
+  });
+}
+
+void Application::drawInterface() {
+  ui::drawMenuBar(workspace_);
+  drawMain();
+  ui::drawKeys(workspace_);
+  ui::drawAbout(workspace_);
+  ui::drawQuestion(workspace_);
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  const float below = ui::drawLog(workspace_);
+  toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
+                               viewport.Size.y - below - 48 * ui::unit());
+  if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
 }
 
 void Application::drawMain() {

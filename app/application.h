@@ -26,15 +26,20 @@ class Application {
   // For tests: the document and the views, and a frame even though nothing happened.
   Workspace& workspace() { return workspace_; }
   void requestFrame() { window_.requestFrames(1); }
+  bool eventsWait() const { return window_.eventsWait(); }
+  // atFrame: called where a frame begins that will be shown.
+  std::function<void()> atFrame;
 
  private:
-  void takeInput();
+  void takeInput(const std::optional<Event>& event);
   void updateDocument();
   void draw();
+  void drawInterface();
+  void answerClosing();
   void drawSidePanel(float width);
   void drawMain();
   void act(const ui::FileChoice& choice);
-  void attempt(const std::function<void()>& action);
+  bool attempt(const std::function<void()>& action);  // whether it ended well
   double waitSeconds() const;
 
   LogRecord log_;  // what is said anywhere, until updateDocument shows it

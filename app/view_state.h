@@ -93,6 +93,8 @@ struct ViewState {
   bool cameraMoved = false;  // by the person, since it was last reset
 
   std::optional<Pane> maximised;
+  // catchingUp: this frame is not shown, for input of another one waits; the views keep their pictures.
+  bool catchingUp = false;
 };
 
 // kLeastBrush, kMostBrush: the smallest and the largest ball of the eraser, mm.

@@ -12,6 +12,7 @@ find_package(assimp REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(glfw3 3.3 REQUIRED)
+find_package(X11 REQUIRED)  # tells when events happened, which GLFW does not
 find_package(Freetype REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 

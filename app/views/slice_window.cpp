@@ -175,7 +175,7 @@ void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>&
   steerSlice(workspace.view, plane, geometry, window.turns, rest);
   const glm::ivec2 size = glm::max(glm::ivec2(pane.size), glm::ivec2(1));
   const Key key = pictureKey(workspace, plane, size);
-  if (!(key == window.drawn)) {
+  if (!(key == window.drawn) && !workspace.view.catchingUp) {
     if (!view) view.emplace();
     if (!window.picture) window.picture = gl::Framebuffer({.size = size});
     window.picture.fit(size);

@@ -254,10 +254,11 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   const bool lighting = skin && window.skin.shows(workspace) && !window.skin.complete();
   const bool moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt || lighting;
-  const bool rough = refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
+  const bool late = workspace.view.catchingUp;
+  const bool rough = late || refresh(window, scans, workspace, glm::ivec2(pane.size), moving, lighting);
 
   const bool shown = skin && window.skin.shows(workspace), lit = shown && window.skin.complete();
-  if (skin) {
+  if (skin && !late) {
     for (const std::string& failure : window.skin.refine(workspace, !moving))
       workspace.toasts.add(failure, true);
   }

@@ -31,7 +31,7 @@ class Driver {
   bool alive() const { return alive_; }
 
   void frames(int count) {
-    for (int i = 0; i < count && alive_; ++i) {
+    for (int i = 0; (i < count || application.eventsWait()) && alive_; ++i) {
       application.requestFrame();
       alive_ = application.frame();
     }

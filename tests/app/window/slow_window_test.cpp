@@ -1,0 +1,115 @@
+// Frames of 0.3 s, as where OpenGL is drawn in software or the machine is busy: nothing that a person does is lost.
+#include <thread>
+
+#include "tests/app/window/window_driver.h"
+
+namespace sonoskin {
+namespace {
+
+class SlowWindowTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(driver->waitUntilIdle());
+    ImGui::GetIO().MouseDoubleClickTime = 1;
+  }
+  // during: what xdotool does while one slow frame is drawn, and the frames after it.
+  void during(const std::string& actions) {
+    int status = -1;
+    driver->application.atFrame = [&] {
+      status = std::system(("xdotool " + actions).c_str());
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      driver->application.atFrame = [] { std::this_thread::sleep_for(std::chrono::milliseconds(300)); };
+    };
+    driver->frames(4);
+    ASSERT_EQ(status, 0) << actions;
+    driver->application.atFrame = {};
+  }
+  static std::string move(ImVec2 p) {
+    return "mousemove " + std::to_string(int(p.x)) + " " + std::to_string(int(p.y)) + " ";
+  }
+};
+
+TEST_F(SlowWindowTest, PressAndMoveTakeTheLamp) {
+  Driver& d = *driver;
+  d.session().reconstruct();
+  ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
+  ASSERT_TRUE(d.waitUntilIdle());
+  ASSERT_TRUE(d.wait([&] { return d.knows("lamp") && d.workspace().view.skin.status.milliseconds > 0; }));
+  d.moveTo({5, 5});
+  const LightOptions before = d.session().parameters().light;
+  const Camera camera = d.workspace().view.camera;
+  const ImVec2 from = d.point("lamp"), middle = d.point("pane.space");
+  const ImVec2 to{middle.x + 0.8f * (middle.x - from.x), from.y};
+  during(move(from) + "mousedown 1 " + move(to) + "mouseup 1");
+  EXPECT_GT(d.session().parameters().light.azimuth, before.azimuth + 30);
+  EXPECT_NEAR(d.point("lamp").x, to.x, 3) << "where it was let go";
+  EXPECT_EQ(d.workspace().view.camera.forward, camera.forward) << "the view has turned instead";
+}
+
+TEST_F(SlowWindowTest, ADragEndsWhereItEnded) {
+  Driver& d = *driver;
+  const Geometry& g = d.session().scan().volume->geometry;
+  const auto index = [&] { return g.toIndex(d.workspace().view.cursor); };
+  const glm::dvec3 middle = index();
+  d.moveTo(d.point("pane.axial"));
+  d.mouse("mousedown 1");
+  during(move(d.point("pane.axial", 0.6f, 0.4f)) + "mouseup 1 " + move({5, 5}));
+  EXPECT_GT(index().x, middle.x + 5);
+  EXPECT_LT(index().y, middle.y - 3);
+}
+
+TEST_F(SlowWindowTest, DoubleClicksAreThoseOfTheHand) {
+  Driver& d = *driver;
+  d.moveTo(d.point("pane.coronal"));
+  during("click --repeat 2 --delay 60 1");
+  EXPECT_EQ(d.workspace().view.maximised, Pane::coronal);
+  during("key Escape");
+  EXPECT_FALSE(d.workspace().view.maximised);
+  during("click 1 sleep 1.5 click 1");
+  EXPECT_FALSE(d.workspace().view.maximised) << "two clicks, a second and a half apart";
+}
+
+TEST_F(SlowWindowTest, WheelAndKeysKeepTheirOrder) {
+  Driver& d = *driver;
+  d.moveTo(d.point("pane.axial"));
+  const double zoom = d.workspace().view.slices[std::size_t(Plane::axial)].zoom;
+  const auto slice = [&] { return d.session().scan().volume->geometry.toIndex(d.workspace().view.cursor).z; };
+  const double before = slice();
+  during("keydown ctrl click 4 keyup ctrl click 4 key 2 key v");
+  EXPECT_GT(d.workspace().view.slices[std::size_t(Plane::axial)].zoom, zoom);
+  EXPECT_NEAR(std::abs(slice() - before), 1, 1e-6);
+  EXPECT_EQ(d.workspace().view.layer, SliceLayer::classified);
+}
+
+TEST_F(SlowWindowTest, KeysReachTheDialogThatOpens) {
+  Driver& d = *driver;
+  d.session().reconstruct();
+  ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
+  const fs::path folder = fs::temp_directory_path() / "sonoskin_slow_window_out";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  d.workspace().settings.folder = folder;
+  during("key ctrl+s key ctrl+a type --delay 1 rested");
+  ASSERT_TRUE(d.workspace().files.purpose);
+  during("key Return");
+  EXPECT_FALSE(d.workspace().files.purpose);
+  EXPECT_TRUE(d.wait([&] { return fs::exists(folder / "rested.recipe.json"); }, 20));
+  EXPECT_TRUE(d.workspace().toasts.list.empty() || !d.workspace().toasts.list.front().failure);
+  fs::remove_all(folder);
+}
+
+// A frame that fails is a message, and the next one follows.
+TEST_F(SlowWindowTest, AFrameThatCannotBeginIsAMessage) {
+  Driver& d = *driver;
+  d.application.atFrame = [] { throw std::runtime_error("no memory for a frame"); };
+  d.frames(2);
+  d.application.atFrame = {};
+  d.frames(2);
+  ASSERT_FALSE(d.workspace().toasts.list.empty());
+  EXPECT_EQ(d.workspace().toasts.list.front().text, "no memory for a frame");
+  EXPECT_TRUE(d.alive());
+}
+
+}  // namespace
+}  // namespace sonoskin
