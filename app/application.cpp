@@ -12,7 +12,9 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/theme.h"
+#include "core/base/error.h"
 #include "core/base/error_text.h"
+#include "core/base/log.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
@@ -47,10 +49,11 @@ bool Application::attempt(const std::function<void()>& action) {
   try {
     action();
     return true;
+  } catch (const Cancelled&) {
   } catch (const std::exception& error) {
     workspace_.toasts.add(errorText(error), true);
-    return false;
   }
+  return false;
 }
 
 double Application::waitSeconds() const {
@@ -139,6 +142,17 @@ void Application::draw() {
     gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
     window_.endFrame();
   });
+  if (!workspace_.view.catchingUp) lookForGlErrors();
+}
+
+// Each frame may have the same: one sentence is enough.
+void Application::lookForGlErrors() {
+  gl::pollErrors();
+  if (glErrorTold_ || gl::glErrorCount() == 0) return;
+  glErrorTold_ = true;
+  log(LogLevel::warning,
+      fmt::format("The graphics driver reports an error ({}), so that pictures may be wrong; a newer driver may help.",
+                  gl::lastGlError()));
 }
 
 void Application::drawInterface() {

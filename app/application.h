@@ -25,6 +25,7 @@ class Application {
 
   // For tests: the document and the views, and a frame even though nothing happened.
   Workspace& workspace() { return workspace_; }
+  const Workspace& workspace() const { return workspace_; }
   void requestFrame() { window_.requestFrames(1); }
   bool eventsWait() const { return window_.eventsWait(); }
   // atFrame: called where a frame begins that will be shown.
@@ -36,6 +37,7 @@ class Application {
   void draw();
   void drawInterface();
   void answerClosing();
+  void lookForGlErrors();
   void drawSidePanel(float width);
   void drawMain();
   void act(const ui::FileChoice& choice);
@@ -52,6 +54,7 @@ class Application {
   const void* shownVolume_ = nullptr;  // what the views were last reset for
   std::uint64_t reconstructions_ = 0;  // seen so far
   double viewsWant_ = -1, toastsWant_ = -1;
+  bool glErrorTold_ = false;
 };
 
 }  // namespace sonoskin

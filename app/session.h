@@ -138,6 +138,7 @@ class Session {
     Key key() const { return Hasher("origin").add(mesh).add(isFinal).key(); }
   };
   void adopt(Opened opened);
+  void takeRecipe(const std::string& text);
   // make: fills in what is opened, in the background
   void open(const std::string& label, Opened opened, std::function<void(Opened&, const Progress&)> make);
   void save(const std::filesystem::path& path, const std::string& recipe,

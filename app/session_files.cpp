@@ -61,10 +61,21 @@ void Session::respace() {
        [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
 }
 
-// What a recipe erases is erased of its own scan alone.
+// Read twice: what is wrong with it is found aside, and what was moved meanwhile stays where the recipe does not name it.
 void Session::loadRecipe(const fs::path& path) {
+  const auto text = std::make_shared<std::string>();
+  opener_.append({"Opening " + path.filename().string(),
+                  [text, path, parameters = parameters_](const Progress&) mutable {
+                    *text = readText(path, kMostRecipeBytes);
+                    readRecipe(*text, parameters);
+                  },
+                  [this, text] { takeRecipe(*text); }});
+}
+
+// What a recipe erases is erased of its own scan alone.
+void Session::takeRecipe(const std::string& text) {
   Parameters read = parameters_;
-  const RecipeInput input = readRecipe(readText(path, kMostRecipeBytes), read);
+  const RecipeInput input = readRecipe(text, read);
   if (!input.erased.counts.empty() && input.key == scan_.key.hex())
     erased_.become(fromRunLengths(input.erased, scan_.volume->geometry));
   else if (!input.erased.counts.empty())

@@ -25,19 +25,21 @@ std::vector<float> knownOf(const Mesh& mesh) {
 
 void GpuMesh::set(std::shared_ptr<const Mesh> mesh) {
   if (mesh == mesh_) return;
+  *this = GpuMesh();
+  if (mesh && !mesh->empty()) upload(*mesh);
   mesh_ = std::move(mesh);
-  box_ = {};
-  vertexArray_.reset();
-  if (empty()) return;
-  box_ = boundingBox(mesh_->positions);
-  positions_ = gl::Buffer(std::span<const glm::vec3>(mesh_->positions));
-  normals_ = mesh_->normals.empty() ? gl::Buffer(std::span<const glm::vec3>(normalsOf(*mesh_)))
-                                    : gl::Buffer(std::span<const glm::vec3>(mesh_->normals));
-  indices_ = gl::Buffer(std::span<const Triangle>(mesh_->triangles));
+}
+
+void GpuMesh::upload(const Mesh& mesh) {
+  box_ = boundingBox(mesh.positions);
+  positions_ = gl::Buffer(std::span<const glm::vec3>(mesh.positions));
+  normals_ = mesh.normals.empty() ? gl::Buffer(std::span<const glm::vec3>(normalsOf(mesh)))
+                                  : gl::Buffer(std::span<const glm::vec3>(mesh.normals));
+  indices_ = gl::Buffer(std::span<const Triangle>(mesh.triangles));
   vertexArray_.emplace();
   vertexArray_->attribute(0, 3, positions_);
   vertexArray_->attribute(1, 3, normals_);
-  if (const std::vector<float> known = knownOf(*mesh_); !known.empty()) {
+  if (const std::vector<float> known = knownOf(mesh); !known.empty()) {
     known_ = gl::Buffer(std::span<const float>(known));
     vertexArray_->attribute(2, 1, known_);
   }

@@ -14,6 +14,7 @@ namespace sonoskin {
 class GpuMesh {
  public:
   // set: keeps the mesh alive, so that its address stays its name.
+  //   errors  Error (system): the driver cannot hold it; then it is empty
   void set(std::shared_ptr<const Mesh> mesh);
   // draw: all triangles, with the program in use.
   void draw() const;
@@ -22,6 +23,8 @@ class GpuMesh {
   const Box& box() const { return box_; }
 
  private:
+  void upload(const Mesh& mesh);
+
   std::shared_ptr<const Mesh> mesh_;
   Box box_;
   std::optional<gl::VertexArray> vertexArray_;

@@ -96,35 +96,35 @@ std::vector<float> brickMaxima(const Volume<float>& volume, int side) {
 }
 
 template <class T>
-void GpuVolume::setVolume(std::shared_ptr<const Volume<T>> volume) {
-  bricks_ = gl::Texture();
-  shades_ = gl::Texture();
-  geometry_ = volume ? volume->geometry : Geometry{};
-  values_ = volume ? valueTexture(*volume) : gl::Texture();
+void GpuVolume::setVolume(const std::shared_ptr<const Volume<T>>& volume) {
+  static std::atomic<std::uint64_t> volumes{0};
+  *this = GpuVolume();  // two would need twice the memory
+  number_ = ++volumes;
+  if (!volume) return;
+  values_ = valueTexture(*volume);
+  geometry_ = volume->geometry;
 }
 
 void GpuVolume::set(std::shared_ptr<const Volume<float>> volume) {
   if (volume == floats_ && !bytes_) return;
-  floats_ = volume;
-  bytes_.reset();
-  setVolume(std::move(volume));
+  setVolume(volume);
+  floats_ = std::move(volume);
 }
 
 void GpuVolume::set(std::shared_ptr<const Volume<std::uint8_t>> volume) {
   if (volume == bytes_ && !floats_) return;
-  bytes_ = volume;
-  floats_.reset();
-  setVolume(std::move(volume));
+  setVolume(volume);
+  bytes_ = std::move(volume);
 }
 
 const gl::Texture& GpuVolume::bricks() {
   if (bricks_ || !floats_) return bricks_;
   maxima_ = brickMaxima(*floats_, kBrick);
-  bricks_ = gl::Texture({.size = (geometry_.dims + kBrick - 1) / kBrick,
-                         .format = gl::Format::r32f,
-                         .filter = gl::Filter::nearest});
-  bricks_.upload(maxima_.data());
-  return bricks_;
+  gl::Texture made({.size = (geometry_.dims + kBrick - 1) / kBrick,
+                    .format = gl::Format::r32f,
+                    .filter = gl::Filter::nearest});
+  made.upload(maxima_.data());
+  return bricks_ = std::move(made);
 }
 
 Box GpuVolume::contentBox(float threshold) {
@@ -151,9 +151,9 @@ const gl::Texture& GpuVolume::shades() {
   parallelFor(dims.z, [&](std::ptrdiff_t k) {
     for (int j = 0; j < dims.y; ++j) shadeRow(*floats_, j, int(k), &texels[geometry_.index(0, j, int(k))]);
   });
-  shades_ = gl::Texture({.size = dims, .format = gl::Format::rgba8});
-  shades_.upload(texels.data());
-  return shades_;
+  gl::Texture made({.size = dims, .format = gl::Format::rgba8});
+  made.upload(texels.data());
+  return shades_ = std::move(made);
 }
 
 }  // namespace sonoskin

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,10 +17,13 @@ class GpuVolume {
   static constexpr int kBrick = 8;  // voxels along a brick's side
 
   // set: keeps the volume alive, so that its address stays its name.
+  //   errors  Error (system): the driver cannot hold it; then it is empty
   void set(std::shared_ptr<const Volume<float>> volume);
   void set(std::shared_ptr<const Volume<std::uint8_t>> volume);
 
   bool empty() const { return !values_; }
+  // number: of the volume that was set, in the order of all that ever were; names of textures and addresses come back.
+  std::uint64_t number() const { return number_; }
   const Geometry& geometry() const { return geometry_; }
   const std::shared_ptr<const Volume<float>>& floats() const { return floats_; }  // null for a byte volume
 
@@ -36,11 +40,12 @@ class GpuVolume {
 
  private:
   template <class T>
-  void setVolume(std::shared_ptr<const Volume<T>> volume);
+  void setVolume(const std::shared_ptr<const Volume<T>>& volume);
 
   std::shared_ptr<const Volume<float>> floats_;
   std::shared_ptr<const Volume<std::uint8_t>> bytes_;
   Geometry geometry_;
+  std::uint64_t number_ = 0;
   std::vector<float> maxima_;  // of the bricks
   gl::Texture values_, bricks_, shades_;
 };

@@ -74,7 +74,7 @@ void setValues(gl::Program& program, const RaycastInput& input) {
 
 Key lightKeyOf(const RaycastInput& input) {
   Hasher hasher("light");
-  hasher.add(input.volume.values().name());
+  hasher.add(input.volume.number());
   for (int c = 0; c < 3; ++c) hasher.add(input.lighting.key.direction[c]);
   for (const auto& p : input.transfer.points)
     hasher.add(p.value).add(p.opacity).add(p.colour.x).add(p.colour.y).add(p.colour.z);
@@ -197,12 +197,12 @@ void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
 void Raycaster::updateLight(const RaycastInput& input) {
   const Key key = lightKeyOf(input);
   if (key == lightKey_) return;
-  lightKey_ = key;
   transfer_ = makeTransferTexture(input.transfer);
   const Volume<float> light =
       lightVolume(*input.volume.floats(), input.transfer, input.lighting.key.direction, kLightCell);
   light_ = gl::Texture({.size = light.geometry.dims, .format = gl::Format::r32f});
   light_.upload(light.data.data());
+  lightKey_ = key;
 }
 
 }  // namespace sonoskin

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <exception>
 
 #include "app/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -59,6 +60,13 @@ PaneInput beginPane(const char* id, ImVec2 corner, ImVec2 size) {
 }
 
 void endPane() { ImGui::EndChild(); }
+
+std::string failureOf(const std::function<void()>& draw) try {
+  draw();
+  return {};
+} catch (const std::exception& error) {
+  return *error.what() ? error.what() : "this view could not be drawn";
+}
 
 void showTexture(const PaneInput& pane, const gl::Framebuffer& framebuffer) {
   if (!framebuffer) return;

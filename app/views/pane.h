@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 
@@ -25,6 +26,10 @@ struct PaneInput {
 // beginPane: takes an area of the screen, notes what the mouse does there, and clips what is drawn to it.
 PaneInput beginPane(const char* id, ImVec2 corner, ImVec2 size);
 void endPane();
+
+// failureOf: what went wrong while a picture was drawn; empty if nothing did. The other views and all that is around them
+// stay.
+std::string failureOf(const std::function<void()>& draw);
 
 // showTexture: fills the pane with what a framebuffer holds.
 void showTexture(const PaneInput& pane, const gl::Framebuffer& framebuffer);

@@ -87,6 +87,23 @@ void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, 
   view.draw(input, window.picture);
 }
 
+// Draws the picture anew where what it shows has changed. One that fails is not tried again until then.
+void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans, Workspace& w,
+             glm::ivec2 size) {
+  const Key key = pictureKey(w, plane, size);
+  if (key == window.drawn || w.view.catchingUp) return;
+  window.drawn = key;
+  const std::string failure = failureOf([&] {
+    if (!view) view.emplace();
+    if (!window.picture) window.picture = gl::Framebuffer({.size = size});
+    window.picture.fit(size);
+    redraw(window, plane, *view, scans, w);
+  });
+  if (failure.empty()) return;
+  window.picture = {};
+  w.toasts.add(failure, true);
+}
+
 // Where the sound comes from, at the edge on that side.
 void drawProbe(const PaneInput& pane, const Workspace& w, Plane plane) {
   const Scan& scan = w.session.scan();
@@ -173,15 +190,7 @@ void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>&
   const PaneInput rest =
       useSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
   steerSlice(workspace.view, plane, geometry, window.turns, rest);
-  const glm::ivec2 size = glm::max(glm::ivec2(pane.size), glm::ivec2(1));
-  const Key key = pictureKey(workspace, plane, size);
-  if (!(key == window.drawn) && !workspace.view.catchingUp) {
-    if (!view) view.emplace();
-    if (!window.picture) window.picture = gl::Framebuffer({.size = size});
-    window.picture.fit(size);
-    redraw(window, plane, *view, scans, workspace);
-    window.drawn = key;
-  }
+  refresh(window, plane, view, scans, workspace, glm::max(glm::ivec2(pane.size), glm::ivec2(1)));
   showTexture(pane, window.picture);
   drawSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
   drawMarks(pane, workspace, plane);

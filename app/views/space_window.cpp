@@ -197,6 +197,7 @@ void drawAxes(const PaneInput& pane, const Workspace& w) {
 static bool refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole, bool moving,
                     bool lighting) {
   const Key full = pictureKey(window, workspace, whole);
+  if (window.failed == full) return false;  // not again until something changes
   const auto key = [&](int kind) { return Hasher("picture").add(full).add(kind).key(); };
   const Key draft = key(0), inFull = key(1), smooth = key(2);
   const glm::ivec2 size = pictureSize(window, glm::vec2(whole), moving);
@@ -206,7 +207,14 @@ static bool refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, 
   const Key wanted = smoothly ? smooth : moving ? draft : inFull;
   const bool better = window.drawn == smooth || (!smoothly && window.drawn == inFull);
   if (!lighting && (better || window.drawn == wanted)) return false;
-  redraw(window, scans, workspace, size, smoothly ? 2 : 1, lighting);
+  const std::string failure =
+      failureOf([&] { redraw(window, scans, workspace, size, smoothly ? 2 : 1, lighting); });
+  if (!failure.empty()) {
+    window.picture = {};
+    window.failed = full;
+    workspace.toasts.add(failure, true);
+    return false;
+  }
   window.drawn = moving && size == whole ? inFull : wanted;
   if (smoothly) return false;
   if (wantsSkin(workspace) && window.skin.shows(workspace))
@@ -270,7 +278,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
-  if (lighting || (shown && !lit) || (rough && !moving)) return 0;
+  if (window.picture && (lighting || (shown && !lit) || (rough && !moving))) return 0;
   if (skin && (window.skin.preparing() || window.skin.refining())) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }

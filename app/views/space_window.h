@@ -37,6 +37,7 @@ struct SpaceWindow {
   PartTools partTools;
   gl::Framebuffer picture;
   Key drawn;                      // of what the picture shows
+  Key failed;                     // of what could not be drawn
   double secondsPerPixel = 1e-6;  // of the last draw
   double restsAt = 0;             // ImGui's time when a wheel's turn counts as over
 };

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <memory>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_check.h"
@@ -23,16 +26,51 @@ std::vector<Triangle> simplify(const std::vector<glm::vec3>& positions,
   return reduced;
 }
 
+using Call = std::packaged_task<std::vector<Triangle>()>;
+
+// Abandoned: calls that nobody waits for any more. They end by themselves, but not at once: the next call lets them, so that
+// however often somebody thinks better of it, one thread and one copy of a mesh at most are left behind.
+class Abandoned {
+ public:
+  void add(std::weak_ptr<Call> call) {
+    const std::lock_guard lock(mutex_);
+    calls_.push_back(std::move(call));
+  }
+  void letEnd(const Progress& progress) {
+    while (!haveEnded()) {
+      progress.throwIfCancelled();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+ private:
+  bool haveEnded() {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(calls_, [](const std::weak_ptr<Call>& call) { return call.expired(); });
+    return calls_.empty();
+  }
+
+  std::mutex mutex_;
+  std::vector<std::weak_ptr<Call>> calls_;
+};
+
 // The same on a thread of its own, with data of its own, so that a cancel need not wait for the library.
 std::vector<Triangle> simplifyAside(const Mesh& mesh, std::vector<Triangle> triangles, std::size_t wanted,
                                     const Progress& progress) {
   if (triangles.size() <= wanted) return triangles;
-  std::packaged_task<std::vector<Triangle>()> task([positions = mesh.positions, all = std::move(triangles),
-                                                    wanted] { return simplify(positions, all, wanted); });
-  std::future<std::vector<Triangle>> result = task.get_future();
-  std::thread(std::move(task)).detach();
-  while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+  static Abandoned abandoned;
+  abandoned.letEnd(progress);
+  auto call = std::make_shared<Call>([positions = mesh.positions, all = std::move(triangles), wanted] {
+    return simplify(positions, all, wanted);
+  });
+  std::future<std::vector<Triangle>> result = call->get_future();
+  const std::weak_ptr<Call> running = call;
+  std::thread([call = std::move(call)] { (*call)(); }).detach();
+  while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
+    if (!progress.cancelled()) continue;
+    abandoned.add(running);
     progress.throwIfCancelled();
+  }
   return result.get();
 }
 

@@ -12,7 +12,8 @@ namespace sonoskin {
 //   method     quadric errors (meshoptimizer). Collapsing edges can close a narrow place onto itself: then it is done
 //              again with the triangles there kept as they are.
 //   cost       180,000 triangles to 18,000: 0.3 s on one core
-//   errors     Cancelled: at once; the library's call cannot be stopped and ends by itself in the background
+//   errors     Cancelled: at once; the library's call cannot be stopped and ends by itself in the background, before the next
+//              one begins
 Mesh decimateMesh(const Mesh& mesh, std::size_t triangles, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -1,6 +1,9 @@
 #include "render/gl/buffer.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
+
+#include "render/gl/memory.h"
 
 namespace sonoskin::gl {
 
@@ -8,7 +11,11 @@ Buffer::Buffer(const void* data, std::size_t bytes) : bytes_(bytes) {
   unsigned name = 0;
   glCreateBuffers(1, &name);
   object_ = Object<Traits>(name);
-  if (bytes) glNamedBufferStorage(name, GLsizeiptr(bytes), data, 0);
+  if (!bytes) return;
+  glNamedBufferStorage(name, GLsizeiptr(bytes), data, 0);
+  GLint made = GL_FALSE;
+  glGetNamedBufferParameteriv(name, GL_BUFFER_IMMUTABLE_STORAGE, &made);
+  requireMade(made == GL_TRUE, fmt::format("{} MB of a surface", bytes >> 20));
 }
 
 void Buffer::Traits::destroy(unsigned name) { glDeleteBuffers(1, &name); }

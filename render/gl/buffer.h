@@ -8,6 +8,7 @@
 namespace sonoskin::gl {
 
 // Buffer: memory of the GPU, filled once.
+//   errors  Error (system): the driver cannot hold it
 class Buffer {
  public:
   Buffer() = default;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 #include "core/base/error.h"
 #include "render/gl/offscreen.h"
@@ -15,13 +16,17 @@ std::atomic<int> errorCount{0};
 std::mutex lastErrorMutex;
 std::string lastError;
 
+void count(std::string words) {
+  ++errorCount;
+  const std::lock_guard lock(lastErrorMutex);
+  lastError = std::move(words);
+}
+
 void GLAD_API_PTR onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                             const void*) {
   // A shader that does not compile is told as an Error by Program.
   if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
-  ++errorCount;
-  const std::lock_guard lock(lastErrorMutex);
-  lastError.assign(text, std::size_t(length));
+  count(std::string(text, std::size_t(length)));
 }
 
 std::string text(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
@@ -51,6 +56,22 @@ int glErrorCount() { return errorCount; }
 std::string lastGlError() {
   const std::lock_guard lock(lastErrorMutex);
   return lastError;
+}
+
+PolledErrors pollErrors() {
+  static int seen = 0;  // messages up to the last look
+  const bool told = errorCount > seen;
+  PolledErrors errors;
+  constexpr int kMost = 100;  // a lost context has no last one
+  for (int i = 0; i < kMost; ++i) {
+    const GLenum code = glGetError();
+    if (code == GL_NO_ERROR) break;
+    errors.any = true;
+    errors.outOfMemory = errors.outOfMemory || code == GL_OUT_OF_MEMORY;
+    if (!told) count(fmt::format("OpenGL error 0x{:04x}", code));
+  }
+  seen = errorCount;
+  return errors;
 }
 
 }  // namespace sonoskin::gl

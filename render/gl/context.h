@@ -43,4 +43,11 @@ std::string glInfo();
 int glErrorCount();
 std::string lastGlError();
 
+// pollErrors: takes the errors that the current context keeps until it is asked. Those that the driver has not told as a
+// message, which it need not, are counted too.
+struct PolledErrors {
+  bool any = false, outOfMemory = false;
+};
+PolledErrors pollErrors();
+
 }  // namespace sonoskin::gl

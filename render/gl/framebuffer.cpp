@@ -1,8 +1,9 @@
 #include "render/gl/framebuffer.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
-#include <cassert>
+#include "render/gl/memory.h"
 
 namespace sonoskin::gl {
 
@@ -28,7 +29,8 @@ Framebuffer::Framebuffer(const FramebufferDescription& description) : descriptio
                       .shadow = d.depthCompare});
     glNamedFramebufferTexture(fbo, GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   }
-  assert(glCheckNamedFramebufferStatus(fbo, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+  requireMade(glCheckNamedFramebufferStatus(fbo, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+              fmt::format("a picture of {} x {} texels to draw into", d.size.x, d.size.y));
 }
 
 void Framebuffer::fit(glm::ivec2 size) {

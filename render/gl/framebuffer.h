@@ -18,12 +18,13 @@ struct FramebufferDescription {
 };
 
 // Framebuffer: textures to draw into, of one size.
+//   errors  Error (system): the driver cannot hold it, or not draw into it
 class Framebuffer {
  public:
   Framebuffer() = default;
   explicit Framebuffer(const FramebufferDescription& description);
 
-  // fit: remakes it where the size differs; the content is lost then.
+  // fit: remakes it where the size differs; the content is lost then. Where that fails it stays as it is.
   void fit(glm::ivec2 size);
   // bind: draws go here, to the whole of it.
   void bind() const;

@@ -2,7 +2,11 @@
 
 #include <glad/gl.h>
 
+#include <fmt/format.h>
+
 #include <array>
+
+#include "render/gl/memory.h"
 
 namespace sonoskin::gl {
 namespace {
@@ -51,6 +55,12 @@ void setSampling(unsigned name, const TextureDescription& d) {
   glTextureParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
 }
 
+std::string wordsFor(const TextureDescription& d) {
+  if (d.size.z > 0) return fmt::format("a volume of {} x {} x {} texels", d.size.x, d.size.y, d.size.z);
+  const std::string samples = d.samples > 1 ? fmt::format(" of {} samples", d.samples) : "";
+  return fmt::format("a picture of {} x {} texels{}", d.size.x, d.size.y, samples);
+}
+
 }  // namespace
 
 Texture::Texture(const TextureDescription& description) : description_(description) {
@@ -69,6 +79,9 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
     glTextureStorage2DMultisample(name, d.samples, internal, d.size.x, d.size.y, GL_TRUE);
   else
     glTextureStorage2D(name, 1, internal, d.size.x, d.size.y);
+  GLint made = GL_FALSE;
+  glGetTextureParameteriv(name, GL_TEXTURE_IMMUTABLE_FORMAT, &made);
+  requireMade(made == GL_TRUE, wordsFor(d));
   if (!multisampled) setSampling(name, d);
 }
 
@@ -80,6 +93,7 @@ void Texture::upload(const void* texels) {
     glTextureSubImage3D(name(), 0, 0, 0, 0, s.x, s.y, s.z, f.external, f.type, texels);
   else
     glTextureSubImage2D(name(), 0, 0, 0, s.x, s.y, f.external, f.type, texels);
+  requireMade(true, wordsFor(description_));  // some drivers look for the memory only now
 }
 
 void Texture::uploadSlices(int first, int count, const void* texels) {

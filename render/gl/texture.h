@@ -27,6 +27,7 @@ struct TextureDescription {
 };
 
 // Texture: an immutable-size texture without mip levels.
+//   errors  Error (system): the driver cannot hold it
 class Texture {
  public:
   Texture() = default;

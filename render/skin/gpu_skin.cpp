@@ -92,10 +92,16 @@ const Box& GpuSkin::box() const { return parts_->box; }
 
 void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
   if (surface == parts_->surface) return;
-  parts_->surface = std::move(surface);
+  *parts_ = Parts();  // two would need twice the memory
   static std::atomic<std::uint64_t> surfaces{0};
   parts_->number = ++surfaces;
-  parts_->upload();
+  parts_->surface = std::move(surface);
+  try {
+    parts_->upload();
+  } catch (...) {
+    *parts_ = Parts();
+    throw;
+  }
 }
 
 void GpuSkin::Parts::upload() {

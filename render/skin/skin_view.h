@@ -56,6 +56,7 @@ class GpuSkin {
   GpuSkin& operator=(GpuSkin&&) noexcept;
 
   // set: uploads where the surface is another object than the last time; keeps it alive.
+  //   errors  Error (system): the driver cannot hold it; then there is none
   void set(std::shared_ptr<const SkinSurface> surface);
   const SkinSurface* surface() const;
   const Box& box() const;

@@ -136,10 +136,18 @@ TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {
 
   Session other{Parameters()};
   other.loadRecipe(file);
+  EXPECT_DOUBLE_EQ(other.parameters().classification.gamma, Parameters().classification.gamma)
+      << "the window does not wait for a disk";
+  ASSERT_TRUE(wait(other));
   EXPECT_DOUBLE_EQ(other.parameters().classification.gamma, 0.5);
   EXPECT_TRUE(other.canUndo());
   fs::remove(file);
-  EXPECT_THROW(other.loadRecipe(file), Error);
+  other.loadRecipe(file);
+  ASSERT_TRUE(wait(other));
+  const auto messages = other.takeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].kind, Message::Kind::failure);
+  EXPECT_DOUBLE_EQ(other.parameters().classification.gamma, 0.5);
 }
 
 }  // namespace

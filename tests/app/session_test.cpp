@@ -199,6 +199,7 @@ TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
   ASSERT_TRUE(wait(session));
   session.undo();
   session.loadRecipe(file);
+  ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.parameters().light.azimuth, 120);
   EXPECT_FALSE(session.activity().busy);
   EXPECT_EQ(session.results().mesh, mesh);

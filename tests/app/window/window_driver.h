@@ -27,6 +27,7 @@ class Driver {
   }
 
   Workspace& workspace() { return application.workspace(); }
+  const Workspace& workspace() const { return application.workspace(); }
   Session& session() { return workspace().session; }
   bool alive() const { return alive_; }
 

@@ -1,3 +1,9 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "core/io/volume_writer.h"
 #include "render/gl/context.h"
 #include "tests/app/window/window_driver.h"
 
@@ -151,6 +157,51 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   EXPECT_GT(fs::file_size(folder / "surface.ply"), 10000u);
   EXPECT_FALSE(d.workspace().files.purpose);
   fs::remove_all(folder);
+}
+
+int messagesWith(const Driver& d, const std::string& words) {
+  return int(std::ranges::count_if(d.workspace().toasts.list, [&](const ui::Toasts::Toast& toast) {
+    return toast.text.find(words) != std::string::npos;
+  }));
+}
+
+TEST_F(WindowTest, TellsAnErrorOfTheDriverOnce) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  const auto enable = reinterpret_cast<void (*)(unsigned)>(glfwGetProcAddress("glEnable"));
+  enable(0xFFFF);  // there is no such thing
+  d.frames(3);
+  EXPECT_EQ(messagesWith(d, "driver reports an error"), 1);
+  d.workspace().toasts.list.clear();
+  enable(0xFFFF);
+  d.frames(3);
+  EXPECT_EQ(messagesWith(d, "driver reports an error"), 0);
+}
+
+// A volume that the driver cannot hold is a message, and the next one is shown.
+TEST_F(WindowTest, TellsWhatTheDriverCannotHold) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  int most = 0;  // GL_MAX_3D_TEXTURE_SIZE
+  reinterpret_cast<void (*)(unsigned, int*)>(glfwGetProcAddress("glGetIntegerv"))(0x8073, &most);
+  if (most > 4096) GTEST_SKIP() << "a volume that this driver cannot hold is too large for a test";
+  Geometry g;
+  g.dims = {most + 1, 24, 24};
+  g.spacing = {0.05, 0.5, 0.5};
+  Volume<float> volume(g);
+  for (std::size_t i = 0; i < volume.data.size(); ++i) volume.data[i] = float(i % 97) / 97;
+  const fs::path file = fs::temp_directory_path() / "sonoskin_window_long.nrrd";
+  writeVolume(file, volume, Beam{});
+  d.workspace().open(file);
+  ASSERT_TRUE(d.wait([&] { return d.session().scan().volume->geometry.dims.x > most; }));
+  d.frames(6);
+  EXPECT_EQ(messagesWith(d, "graphics driver cannot hold a volume of"), 1);
+  EXPECT_TRUE(d.knows("pane.coronal"));
+  d.session().openPhantom();
+  ASSERT_TRUE(d.wait([&] { return d.session().scan().volume->geometry.dims.x < most; }));
+  ASSERT_TRUE(d.waitUntilIdle());
+  EXPECT_GT(share(d.screenshot("sonoskin_held"), d, "pane.axial", [](Colour c) { return c.g > 40; }), 0.01);
+  fs::remove(file);
 }
 
 }  // namespace
