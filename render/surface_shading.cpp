@@ -2,10 +2,10 @@
 
 #include <glad/gl.h>
 
-#include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
+#include <vector>
 
 namespace sonoskin {
 namespace {
@@ -76,12 +76,15 @@ SurfaceShading::SurfaceShading()
     : occlusionProgram_({"common/fullscreen.vert", "surface/occlusion.frag"}),
       occlusion_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}) {}
 
-gl::Program& SurfaceShading::shadeProgram(MeshLook look, int samplesPerSide) {
-  auto& program = shadePrograms_[std::size_t(2 * int(look) + samplesPerSide - 1)];
-  if (!program)
+gl::Program& SurfaceShading::shadeProgram(const ShadingInput& input) {
+  const int variant = input.samplesPerSide == 1 ? 0 : input.outline ? 2 : 1;
+  auto& program = shadePrograms_[std::size_t(kVariants * int(input.look) + variant)];
+  if (!program) {
+    std::vector<std::string> defines{defineOf(input.look), "SAMPLES " + std::to_string(input.samplesPerSide)};
+    if (variant == 2) defines.emplace_back("OUTLINE");
     program = std::make_unique<gl::Program>(
-        std::vector<std::string>{"common/fullscreen.vert", "surface/shade.frag"},
-        std::vector<std::string>{defineOf(look), "SAMPLES " + std::to_string(samplesPerSide)});
+        std::vector<std::string>{"common/fullscreen.vert", "surface/shade.frag"}, defines);
+  }
   return *program;
 }
 
@@ -108,7 +111,7 @@ void SurfaceShading::occlude(const ShadingInput& input, glm::ivec2 size) {
 void SurfaceShading::draw(const ShadingInput& input, const gl::Target& target) {
   glDisable(GL_BLEND);
   occlude(input, target.size);
-  auto& program = shadeProgram(input.look, input.samplesPerSide);
+  auto& program = shadeProgram(input);
   target.bind();
   program.use();
   input.surface.colour().bind(0);
@@ -120,8 +123,7 @@ void SurfaceShading::draw(const ShadingInput& input, const gl::Target& target) {
   setLights(program, input.lighting);
   setScreen(program, input.camera, float(target.size.x) / float(target.size.y), input.projection);
   program.set("unseenShade", input.unseenShade);
-  if (input.samplesPerSide > 1) {
-    assert(input.outline);
+  if (input.samplesPerSide > 1 && input.outline) {
     input.outline->bind(3);
     program.set("outlineMap", 3);
   }

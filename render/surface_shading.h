@@ -39,7 +39,8 @@ void setScreen(gl::Program& program, const Camera& camera, float aspect, const g
 //   shadow         drawn with lightView
 //   size           mm, of the thing shown: the reach of occlusion and penumbra follow from it
 //   unseenShade    0 to 1: how far regions that the probe cannot have seen are greyed
-//   outline        for more than one sample per pixel: how much of each of them the surface covers, see Outline
+//   outline        for more than one sample per pixel: how much of each of them the surface covers, see Outline; without
+//                  it the samples themselves are counted
 struct ShadingInput {
   const gl::Framebuffer& surface;
   const gl::Framebuffer& shadow;
@@ -64,10 +65,11 @@ class SurfaceShading {
 
  private:
   void occlude(const ShadingInput& input, glm::ivec2 size);
-  gl::Program& shadeProgram(MeshLook look, int samplesPerSide);
+  gl::Program& shadeProgram(const ShadingInput& input);
 
   gl::Program occlusionProgram_;
-  std::array<std::unique_ptr<gl::Program>, 8> shadePrograms_;  // compiled when first needed
+  static constexpr int kVariants = 3;
+  std::array<std::unique_ptr<gl::Program>, 4 * kVariants> shadePrograms_;  // compiled when first needed
   gl::Framebuffer occlusion_;
 };
 

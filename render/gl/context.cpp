@@ -59,7 +59,7 @@ std::string lastGlError() {
 }
 
 PolledErrors pollErrors() {
-  static int seen = 0;  // messages up to the last look
+  thread_local int seen = 0;  // messages up to the last look
   const bool told = errorCount > seen;
   PolledErrors errors;
   constexpr int kMost = 100;  // a lost context has no last one

@@ -1,6 +1,7 @@
 // From a surface buffer (normals and depth, several samples per pixel) to an sRGB picture. Pixels whose samples
 // lie on one smooth piece of the surface are shaded once, the others once per sample.
-// Variants: SKIN, AMBER (a volume's surface), PARTS (w tells colours of parts), or neutral clay; SAMPLES (per pixel, along one side).
+// Variants: SKIN, AMBER (a volume's surface), PARTS (w tells colours of parts), or neutral clay; SAMPLES (per pixel, along one side);
+// OUTLINE (outlineMap counts more of them where the surface ends).
 #include "common/colour.glsl"
 #include "common/lighting.glsl"
 #include "common/noise.glsl"
@@ -116,7 +117,7 @@ void main() {
     sum += depth < 1.0 ? shown : vec3(0.0);
     shaded += depth < 1.0 ? 1.0 : 0.0;
   }
-#if SAMPLES > 1
+#if defined(OUTLINE)
   float covered = smoothPiece || empty ? shaded : coverage(pixel, SAMPLES);
 #else
   float covered = shaded / float(max(count, 1));

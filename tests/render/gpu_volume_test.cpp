@@ -78,5 +78,22 @@ TEST_F(GpuVolumeTest, ContentBoxHoldsWhatIsBright) {
   EXPECT_FLOAT_EQ(all.max.x, 23);
 }
 
+// Addresses and the names of textures come back; what is computed for a volume is kept under its number.
+TEST_F(GpuVolumeTest, NumbersNeverComeBack) {
+  const auto volume = std::make_shared<const Volume<float>>(scattered(smallGeometry()));
+  const auto other = std::make_shared<const Volume<float>>(scattered(smallGeometry()));
+  GpuVolume first, second;
+  std::uint64_t last = 0;
+  for (const auto& shown : {volume, other, volume}) {
+    for (GpuVolume* gpu : {&first, &second}) {
+      gpu->set(shown);
+      EXPECT_GT(gpu->number(), last);
+      last = gpu->number();
+      gpu->set(shown);
+      EXPECT_EQ(gpu->number(), last) << "nothing was uploaded";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sonoskin

@@ -109,6 +109,25 @@ TEST_F(RaycasterTest, FewerRaysShowTheSamePictureMoreSoftly) {
   EXPECT_EQ(raycaster_.surface().size(), kSize / 2);
 }
 
+// As pictures for a file have them: the ball's edge is no staircase.
+TEST_F(RaycasterTest, MoreRaysSmoothTheEdge) {
+  const auto greys = [&](float raysPerPixel) {
+    cast(raysPerPixel);
+    const Image image = gl::readImage(target_);
+    std::vector<int> row;  // across the left edge of the ball
+    for (int x = 0; x < kSize.x / 2; ++x) row.push_back(image.rgba[std::size_t(4 * (60 * kSize.x + x))]);
+    return row;
+  };
+  const std::vector<int> one = greys(1), four = greys(2);
+  EXPECT_EQ(raycaster_.surface().size(), 2 * kSize);
+  for (std::size_t x = 0; x < one.size(); ++x) {
+    const int least = std::min({one[x], one[x > 0 ? x - 1 : x], one[std::min(x + 1, one.size() - 1)]});
+    const int most = std::max({one[x], one[x > 0 ? x - 1 : x], one[std::min(x + 1, one.size() - 1)]});
+    EXPECT_GE(four[x], least - 12) << x;
+    EXPECT_LE(four[x], most + 12) << x;
+  }
+}
+
 TEST_F(RaycasterTest, CroppingCutsTheBallOpen) {
   camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
   target_ = gl::Framebuffer({.size = kSize});
