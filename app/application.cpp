@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/theme.h"
+#include "app/views/view_shot.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -21,6 +23,7 @@ namespace sonoskin {
 namespace {
 
 constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0.3;
+constexpr glm::ivec2 kPictureSize{1280, 960};
 
 }  // namespace
 
@@ -222,14 +225,36 @@ void Application::act(const ui::FileChoice& choice) {
     case ui::FilePurpose::savePrint:
       return session.savePrint(choice.path);
     case ui::FilePurpose::saveSkin:
-      return session.saveSkin(choice.path, views_.space.skin.bake(workspace_, false));
+      return saveSkin(choice.path, false);
     case ui::FilePurpose::saveLitSkin:
-      return session.saveSkin(choice.path, views_.space.skin.bake(workspace_, true));
+      return saveSkin(choice.path, true);
     case ui::FilePurpose::savePicture:
-      return session.savePicture(choice.path,
-                                 ui::takePicture(views_.space, views_.scans, workspace_, {1280, 960}),
-                                 workspace_.view.content == SpaceContent::mesh);
+      return savePicture(choice.path);
   }
+}
+
+BackgroundContext& Application::background() {
+  if (!background_) background_.emplace();
+  return *background_;
+}
+
+// Drawing in full and baking take seconds where OpenGL is drawn in software: the window does not wait for them.
+void Application::saveSkin(const std::filesystem::path& path, bool light) {
+  workspace_.session.saveSkin(
+      path, [&context = background(), shot = ui::takeSkinShot(views_.space, workspace_), light] {
+        TexturedMesh baked;
+        context.use([&] { baked = ui::bakeShot(shot, light); });
+        return baked;
+      });
+}
+
+void Application::savePicture(const std::filesystem::path& path) {
+  auto make = [&context = background(), shot = ui::takeShot(views_.space, workspace_)] {
+    Image image;
+    context.use([&] { image = ui::drawShot(shot, kPictureSize); });
+    return image;
+  };
+  workspace_.session.savePicture(path, std::move(make), ui::showsMesh(workspace_));
 }
 
 }  // namespace sonoskin

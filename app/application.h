@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/background_context.h"
 #include "app/desktop_window.h"
 #include "app/views/four_up.h"
 #include "app/workspace.h"
@@ -41,12 +42,16 @@ class Application {
   void drawSidePanel(float width);
   void drawMain();
   void act(const ui::FileChoice& choice);
+  void saveSkin(const std::filesystem::path& path, bool light);
+  void savePicture(const std::filesystem::path& path);
+  BackgroundContext& background();
   bool attempt(const std::function<void()>& action);  // whether it ended well
   double waitSeconds() const;
 
   LogRecord log_;  // what is said anywhere, until updateDocument shows it
   Settings settings_;
   DesktopWindow window_;
+  std::optional<BackgroundContext> background_;  // made when first needed
   Workspace workspace_;
   ui::FourUp views_;
   std::string title_;

@@ -101,9 +101,10 @@ class Session {
   void saveMesh(const std::filesystem::path& path);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
-  void saveSkin(const std::filesystem::path& path, TexturedMesh surface);
-  // showsMesh: whether the picture is one of the mesh
-  void savePicture(const std::filesystem::path& path, Image image, bool showsMesh);
+  // saveSkin, savePicture: `make` is called in the background.
+  //   showsMesh  whether the picture is one of the mesh
+  void saveSkin(const std::filesystem::path& path, std::function<TexturedMesh()> make);
+  void savePicture(const std::filesystem::path& path, std::function<Image()> make, bool showsMesh);
   void saveRecipe(const std::filesystem::path& path);
   // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
   bool hasUnsavedWork() const;

@@ -209,17 +209,16 @@ Parameters Session::shownParameters() const {
   return parameters;
 }
 
-void Session::saveSkin(const fs::path& path, TexturedMesh surface) {
+void Session::saveSkin(const fs::path& path, std::function<TexturedMesh()> make) {
   warnOfMesh();
-  const auto baked = std::make_shared<TexturedMesh>(std::move(surface));
-  save(path, recipeOfMesh(shownParameters()),
-       [path, baked](const Progress& progress) { writeTexturedMesh(path, *baked, progress); });
+  save(path, recipeOfMesh(shownParameters()), [path, make = std::move(make)](const Progress& progress) {
+    writeTexturedMesh(path, make(), progress.part(0.5, 1));
+  });
 }
 
-void Session::savePicture(const fs::path& path, Image image, bool showsMesh) {
-  const auto picture = std::make_shared<Image>(std::move(image));
+void Session::savePicture(const fs::path& path, std::function<Image()> make, bool showsMesh) {
   const std::string recipe = showsMesh ? recipeOfMesh(shownParameters()) : recipeNow();
-  save(path, recipe, [path, picture](const Progress&) { writePng(path, *picture); });
+  save(path, recipe, [path, make = std::move(make)](const Progress&) { writePng(path, make()); });
 }
 
 std::string Session::recipeNow() {

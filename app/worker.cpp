@@ -71,7 +71,13 @@ std::vector<std::string> Worker::poll() {
     std::swap(done, done_);
     std::swap(failed, failed_);
   }
-  for (const auto& action : done) action();
+  for (const auto& action : done) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      failed.emplace_back(error.what());  // the others' turn comes all the same
+    }
+  }
   return failed;
 }
 

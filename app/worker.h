@@ -36,7 +36,7 @@ class Worker {
   void replace(Task task);  // instead of them; the running one is cancelled
   void cancel();            // all of them
   Status status() const;
-  // poll: runs `done` of every task that ended well; returns the sentences of those that failed.
+  // poll: runs `done` of every task that ended well; returns the sentences of those that failed, then or before.
   //   threads  the one that owns what `done` touches
   std::vector<std::string> poll();
 

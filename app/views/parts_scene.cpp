@@ -2,12 +2,12 @@
 
 namespace sonoskin::ui {
 
-const GpuMesh& PartsScene::meshFor(const Results& results) {
+const std::shared_ptr<const Mesh>& PartsScene::meshFor(const Results& results) {
   if (parts_ != results.parts || verdicts_ != results.verdicts) {
     parts_ = results.parts;
     verdicts_ = results.verdicts;
-    mesh_.set(std::make_shared<const Mesh>(
-        makePartsMesh(parts_->mesh, parts_->parts.ofTriangle, tintsOf(*verdicts_))));
+    mesh_ = std::make_shared<const Mesh>(
+        makePartsMesh(parts_->mesh, parts_->parts.ofTriangle, tintsOf(*verdicts_)));
   }
   return mesh_;
 }

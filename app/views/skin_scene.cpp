@@ -6,10 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/parameter_key.h"
-#include "render/skin/baked_maps.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -17,10 +15,6 @@ namespace {
 // What is drawn is the second picture's time: the first one may have compiled and uploaded things.
 constexpr int kSettled = 2;
 constexpr double kLightAtOnce = 0.02;  // seconds; what takes longer is spread over several pictures
-
-SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box) {
-  return {settings.skin, settings.landmarks, makeLightRig(settings.light, home, box)};
-}
 
 SkinSettings presentSettings(const Workspace& w) {
   const Parameters& p = w.session.parameters();
@@ -34,6 +28,10 @@ void addSettings(Hasher& hasher, const SkinSettings& settings) {
 }
 
 }  // namespace
+
+SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box) {
+  return {settings.skin, settings.landmarks, makeLightRig(settings.light, home, box)};
+}
 
 HomeFrame homeOf(const Workspace& workspace) {
   const Beam beam = workspace.session.beam();
@@ -52,6 +50,7 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                     },
                     [this, made, wanted] {
                       prepared_ = *made;
+                      ++preparations_;
                       shown_ = wanted;
                       times_.reset();
                       lit_ = false;
@@ -83,56 +82,66 @@ std::string SkinScene::caption() const {
 
 void SkinScene::addTo(Hasher& hasher, const Workspace& workspace) const {
   const SkinShow& show = workspace.view.skin;
-  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get())).add(refined_);
+  hasher.add(preparations_).add(refined_);
   addSettings(hasher, presentSettings(workspace));
   hasher.add(show.pass).add(show.compare).add(show.divider);
   if (show.compare == SkinCompare::settings && show.kept) addSettings(hasher, *show.kept);
 }
 
-void SkinScene::draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target) {
+SkinShot SkinScene::shot(const Workspace& workspace) const {
+  const SkinShow& show = workspace.view.skin;
+  SkinShot shot;
+  shot.surface = prepared_;
+  shot.settings = presentSettings(workspace);
+  shot.kept = show.kept.value_or(shot.settings);
+  shot.home = homeOf(workspace);
+  shot.quality = quality();
+  shot.pass = show.pass;
+  shot.compare = show.compare;
+  shot.divider = show.divider;
+  shot.unseenShade = workspace.view.unmeasured ? 1 : 0;
+  return shot;
+}
+
+void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinView& present,
+              std::optional<SkinView>& kept, const SkinPictureOptions& options, const gl::Target& target) {
+  const auto draw = [&](SkinView& view, const SkinSettings& settings, SkinPass pass, glm::vec2 part) {
+    const SkinLook look = lookOf(settings, shot.home, gpu.box());
+    SkinViewInput input{.surface = gpu, .camera = camera, .look = look, .quality = shot.quality};
+    input.supersampling = options.supersampling;
+    input.steps = options.steps;
+    input.pass = pass;
+    input.shownPart = part;
+    input.unseenShade = shot.unseenShade;
+    view.draw(input, target);
+  };
+  const bool split = shot.compare != SkinCompare::off;
+  draw(present, shot.settings, shot.pass, {split ? shot.divider : 0, 1});
+  if (!split) return;
+  const glm::vec2 left(0, shot.divider);
+  if (shot.compare == SkinCompare::scatter) return draw(present, shot.settings, SkinPass::undiffused, left);
+  if (!kept) kept.emplace();
+  draw(*kept, shot.kept, shot.pass, left);
+}
+
+void SkinScene::draw(const Workspace& workspace, int supersampling, const gl::Target& target) {
   if (!surface_) surface_.emplace();
   if (!present_.view) present_.view.emplace();
   surface_->set(prepared_);
-  const SkinShow& show = workspace.view.skin;
-  const HomeFrame home = homeOf(workspace);
-  const SkinLook look = lookOf(presentSettings(workspace), home, surface_->box());
-  SkinViewInput input{
-      .surface = *surface_, .camera = workspace.view.camera, .look = look, .quality = quality()};
-  input.quality.points = finished;
-  input.supersampling = supersampling;
-  input.pass = show.pass;
-  input.unseenShade = workspace.view.unmeasured ? 1 : 0;
-  const bool atOnce = finished || (times_ && times_->light < kLightAtOnce);
-  if (!atOnce) input.steps = 1;
-  const bool split = show.compare != SkinCompare::off;
-  if (split) input.shownPart = {show.divider, 1};
-  present_.view->draw(input, target);
-  complete_ = present_.view->complete();
-  lit_ = lit_ || complete_;
-  compared_ = split && show.compare == SkinCompare::settings;
-  if (!split) return;
-  input.shownPart = {0, show.divider};
-  if (show.compare == SkinCompare::scatter) {
-    input.pass = SkinPass::undiffused;
-    present_.view->draw(input, target);
-    return;
-  }
-  if (!kept_.view) kept_.view.emplace();
-  const SkinLook kept = lookOf(show.kept.value_or(presentSettings(workspace)), home, surface_->box());
-  SkinViewInput other{
-      .surface = *surface_, .camera = workspace.view.camera, .look = kept, .quality = input.quality};
-  other.supersampling = supersampling;
-  other.pass = show.pass;
-  other.shownPart = input.shownPart;
-  other.unseenShade = input.unseenShade;
-  other.steps = input.steps;
-  kept_.view->draw(other, target);
-  complete_ = complete_ && kept_.view->complete();
+  const bool smooth = supersampling > 1;
+  SkinShot now = shot(workspace);
+  now.quality.points = smooth;
+  const bool atOnce = smooth || (times_ && times_->light < kLightAtOnce);
+  const SkinPictureOptions options{supersampling, atOnce ? 1000 : 1};
+  drawSkin(now, workspace.view.camera, *surface_, *present_.view, kept_.view, options, target);
+  compared_ = now.compare == SkinCompare::settings;
+  complete_ = present_.view->complete() && (!compared_ || kept_.view->complete());
+  lit_ = lit_ || present_.view->complete();
 }
 
 void SkinScene::refine(Lit& lit, const SkinSettings& settings, bool rests) {
   Hasher hasher("refined light");
-  hasher.add(reinterpret_cast<std::uintptr_t>(prepared_.get()));
+  hasher.add(preparations_);
   addSettings(hasher, settings);
   refined_ += lit.refiner.update(*lit.view, *surface_, prepared_, settings.skin, hasher.key(), rests) ? 1 : 0;
 }
@@ -154,16 +163,6 @@ std::vector<std::string> SkinScene::refine(const Workspace& workspace, bool rest
 
 bool SkinScene::refined() const {
   return present_.view && present_.view->byPoints() && (!compared_ || kept_.view->byPoints());
-}
-
-TexturedMesh SkinScene::bake(const Workspace& workspace, bool light) {
-  require(shows(workspace), "the skin is not ready yet; wait until the view shows it");
-  if (!surface_) surface_.emplace();
-  surface_->set(prepared_);
-  const SkinLook look = lookOf(presentSettings(workspace), homeOf(workspace), surface_->box());
-  SkinQuality finished = quality();
-  finished.points = light;
-  return bakeSurface(*surface_, look, {finished, light});
 }
 
 void SkinScene::note(Workspace& workspace, double share) {

@@ -8,11 +8,36 @@
 #include "app/views/light_refiner.h"
 #include "app/worker.h"
 #include "app/workspace.h"
-#include "core/io/textured_mesh_writer.h"
 #include "core/skin/skin_surface.h"
 #include "render/skin/skin_view.h"
 
 namespace sonoskin::ui {
+
+// SkinShot: all that a picture of skin depends on, but the camera.
+//   kept        the settings on the left of the divider where they are compared
+struct SkinShot {
+  std::shared_ptr<const SkinSurface> surface;
+  SkinSettings settings, kept;
+  HomeFrame home;
+  SkinQuality quality;
+  SkinPass pass = SkinPass::skin;
+  SkinCompare compare = SkinCompare::off;
+  float divider = 0.5f, unseenShade = 0;
+};
+
+// SkinPictureOptions: see SkinViewInput.
+struct SkinPictureOptions {
+  int supersampling = 1, steps = 1000;
+};
+
+// drawSkin: a picture of skin, of two settings side by side where they are compared.
+//   input  gpu      holds the shot's surface
+//          present  keeps the light; kept: that of the settings that are compared with, made when first needed
+void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinView& present,
+              std::optional<SkinView>& kept, const SkinPictureOptions& options, const gl::Target& target);
+
+// lookOf: the settings as the renderer takes them.
+SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box);
 
 // SkinScene: the skin look of the 3D view. The shown mesh is prepared in the background; until that is done the view
 // shows it plainly lit.
@@ -31,9 +56,10 @@ class SkinScene {
   // addTo: everything but camera and size that a picture depends on.
   void addTo(Hasher& hasher, const Workspace& workspace) const;
 
-  // draw: one picture; the light follows in steps over several draws where it takes long, unless the picture is
-  // to be `finished`.
-  void draw(const Workspace& workspace, int supersampling, bool finished, const gl::Target& target);
+  // draw: one picture; the light follows in steps over several draws where it takes long.
+  void draw(const Workspace& workspace, int supersampling, const gl::Target& target);
+  // shot: what is shown; once there is something to show.
+  SkinShot shot(const Workspace& workspace) const;
   // complete: whether the last picture showed the light that was asked for.
   bool complete() const { return complete_; }
   // lit: whether any picture of what is prepared has been complete; before, there is no light to show.
@@ -45,9 +71,6 @@ class SkinScene {
   // refined: whether light that is complete has been refined too; refining: whether that is under way.
   bool refined() const;
   bool refining() const { return present_.refiner.status().busy || kept_.refiner.status().busy; }
-  // bake: what is shown, for a file; see render/skin/baked_maps.h.
-  //   errors  Error: it is not prepared yet
-  TexturedMesh bake(const Workspace& workspace, bool light);
   // note: after a draw of a whole view: how long such pictures take.
   void note(Workspace& workspace, double share);
 
@@ -69,6 +92,7 @@ class SkinScene {
   std::unique_ptr<Worker> worker_;
   Wanted wanted_, shown_;
   std::shared_ptr<const SkinSurface> prepared_;
+  int preparations_ = 0;  // its number: addresses come back
   std::optional<GpuSkin> surface_;
   Lit present_, kept_;     // the present settings, and those that are compared with
   int refined_ = 0;        // times that a light was refined

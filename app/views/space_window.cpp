@@ -4,36 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "app/crop_box.h"
 #include "app/theme.h"
 #include "app/views/box_lines.h"
 #include "app/widgets/layout.h"
 #include "core/pipeline/parameter_key.h"
-#include "render/gl/read_pixels.h"
 
 namespace sonoskin::ui {
 namespace {
 
 constexpr double kMovingBudget = 0.045, kRestingBudget = 2, kSmoothBudget = 0.6;  // seconds for one picture
 constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;  // share of the pixels along a side
-constexpr float kCropMargin = 5;                            // mm around the surface points
 constexpr double kWheelRests = 0.25;                        // seconds without a turn
 constexpr double kPreparingSeconds = 0.06;                  // between looks at how far the skin is prepared
-
-bool showsMesh(const Workspace& w) {
-  return w.view.content == SpaceContent::mesh && w.session.results().mesh;
-}
-
-bool wantsSkin(const Workspace& w) {
-  return showsMesh(w) && !showsParts(w) && w.view.meshStyle == MeshStyle::skin;
-}
-
-std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
-  const auto& classified = w.session.results().classified;
-  return w.view.volumeLayer == VolumeLayer::classified && classified ? classified : w.session.scan().volume;
-}
 
 // The fingerprint of everything that the picture depends on.
 Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
@@ -59,58 +42,29 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
 
 void drawMesh(SpaceWindow& window, const Workspace& w, int supersampling, const gl::Target& target) {
   if (!window.meshView) window.meshView.emplace();
-  const bool parts = showsParts(w);
-  if (!parts) window.mesh.set(w.session.results().mesh);
-  const GpuMesh& mesh = parts ? window.parts.meshFor(w.session.results()) : window.mesh;
-  MeshViewInput input{.mesh = mesh, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
-  input.look = parts                                 ? MeshLook::parts
-               : w.view.meshStyle == MeshStyle::clay ? MeshLook::clay
-                                                     : MeshLook::skin;
-  input.supersampling = supersampling;
-  input.unseenShade = w.view.unmeasured && !parts ? 1 : 0;
-  window.meshView->draw(input, target);
-}
-
-// What the ray-caster shows of a volume, as shares of it: the crop box, and where asked for no more than what lies around
-// the surface.
-std::pair<glm::vec3, glm::vec3> shownPart(const Workspace& w, const Geometry& shown) {
-  const auto box = boxIn(shown, w.session.parameters().region, w.session.scan().volume->geometry);
-  const glm::dvec3 last = glm::max(glm::dvec3(shown.dims - 1), glm::dvec3(1));
-  glm::vec3 least(glm::clamp(box[0] / last, 0.0, 1.0)), most(glm::clamp(box[1] / last, 0.0, 1.0));
-  if (w.view.crop) {
-    const auto around = cropTo(surroundings(w.session.scan(), w.session.results()), shown, kCropMargin);
-    least = glm::max(least, around[0]);
-    most = glm::max(glm::min(most, around[1]), least);
-  }
-  return {least, most};
+  const MeshScene scene = meshScene(window.parts, w);
+  window.mesh.set(scene.mesh);
+  window.meshView->draw(meshInput(scene, window.mesh, w.view.camera, supersampling), target);
 }
 
 void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, int raysPerPixel,
                 const gl::Target& target) {
   if (!window.raycaster) window.raycaster.emplace();
-  const auto volume = shownVolume(w);
-  GpuVolume& copy = volume == w.session.scan().volume ? scans.raw : scans.classified;
-  copy.set(volume);
-  const float level = static_cast<float>(shownLevel(w.view, w.session.results()));
-  RaycastInput input{.volume = copy, .camera = w.view.camera, .lighting = portraitLighting(w.view.camera)};
-  input.look = w.view.volumeStyle == VolumeStyle::surface ? VolumeLook::surface : VolumeLook::translucent;
-  input.iso = level;
-  input.transfer = amberTransfer(level);
-  std::tie(input.cropMin, input.cropMax) = shownPart(w, volume->geometry);
+  const VolumeScene scene = volumeScene(w);
+  GpuVolume& copy = scene.volume == w.session.scan().volume ? scans.raw : scans.classified;
+  copy.set(scene.volume);
   const ErasedParts& erased = w.session.erased();
-  if (erased.voxels() > 0) {
-    scans.erased.set(erased.mask(), erased.key());
-    input.erased = &scans.erased;
-  }
-  input.raysPerPixel = static_cast<float>(raysPerPixel);
-  window.raycaster->draw(input, target);
+  const bool some = erased.voxels() > 0;
+  if (some) scans.erased.set(erased.mask(), erased.key());
+  window.raycaster->draw(
+      raycastInput(scene, copy, some ? &scans.erased : nullptr, w.view.camera, raysPerPixel), target);
 }
 
-// Samples: along each side of a pixel; more than one for finished pictures.
+// Samples: along each side of a pixel; more than one smooth the edges.
 void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, int samples,
                const gl::Target& target) {
   if (wantsSkin(w) && window.skin.shows(w)) {
-    window.skin.draw(w, samples, samples > 1, target);
+    window.skin.draw(w, samples, target);
     if (!window.skin.lit()) drawMesh(window, w, samples, target);
   } else if (showsMesh(w)) {
     drawMesh(window, w, samples, target);
@@ -281,12 +235,6 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (window.picture && (lighting || (shown && !lit) || (rough && !moving))) return 0;
   if (skin && (window.skin.preparing() || window.skin.refining())) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
-}
-
-Image takePicture(SpaceWindow& window, GpuScans& scans, const Workspace& workspace, glm::ivec2 size) {
-  const gl::Framebuffer picture({.size = size});
-  drawScene(window, scans, workspace, 2, picture);
-  return gl::readImage(picture);
 }
 
 }  // namespace sonoskin::ui

@@ -4,17 +4,11 @@
 
 #include "app/views/pane.h"
 #include "app/views/part_tools.h"
-#include "app/views/parts_scene.h"
+#include "app/views/scene.h"
 #include "app/views/skin_scene.h"
 #include "app/views/skin_tools.h"
 #include "app/workspace.h"
-#include "core/io/image.h"
 #include "render/gl/gpu_timer.h"
-#include "render/gpu_mask.h"
-#include "render/gpu_mesh.h"
-#include "render/gpu_volume.h"
-#include "render/mesh_view.h"
-#include "render/raycaster.h"
 
 namespace sonoskin::ui {
 
@@ -49,8 +43,5 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
 // steer: what a mouse does to a camera: left rotates, middle or Shift+left pans, right or wheel zooms.
 //   output  whether the camera has changed
 bool steer(Camera& camera, const PaneInput& pane);
-
-// takePicture: the 3D view as a picture for a file, four samples per pixel.
-Image takePicture(SpaceWindow& window, GpuScans& scans, const Workspace& workspace, glm::ivec2 size);
 
 }  // namespace sonoskin::ui

@@ -114,7 +114,13 @@ void Program::set(const char* u, std::span<const float> v) {
   glProgramUniform1fv(name(), location(u), GLsizei(v.size()), v.data());
 }
 
-void Program::Traits::destroy(unsigned name) { glDeleteProgram(name); }
+// One that is in use would stay half alive: whoever puts back what was in use before (as Dear ImGui does) fails.
+void Program::Traits::destroy(unsigned name) {
+  GLint used = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &used);
+  if (unsigned(used) == name) glUseProgram(0);
+  glDeleteProgram(name);
+}
 
 void drawFullScreen(DepthWrite depth) {
   // Core profile demands a vertex array even where the vertex shader reads nothing from it.
