@@ -106,14 +106,12 @@ void Application::updateDocument() {
       workspace_.toasts.add(entry.sentence, false);
   }
   const Scan& scan = session.scan();
-  if (scan.volume.get() != shownVolume_) {
-    shownVolume_ = scan.volume.get();
+  if (shownVolume_.see({scan.volume})) {
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;
     resetView(workspace_.view, scan, session.beam());
   }
-  if (session.results().points.get() != shownPoints_) {
-    shownPoints_ = session.results().points.get();
+  if (shownPoints_.see({session.results().points})) {
     if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtStart();
   }
   if (session.reconstructions() != reconstructions_) {

@@ -7,6 +7,7 @@
 
 #include "app/background_context.h"
 #include "app/desktop_window.h"
+#include "app/objects_seen.h"
 #include "app/views/four_up.h"
 #include "app/workspace.h"
 #include "core/base/log.h"
@@ -55,9 +56,8 @@ class Application {
   Workspace workspace_;
   ui::FourUp views_;
   std::string title_;
-  const void* shownPoints_ = nullptr;
-  const void* shownVolume_ = nullptr;  // what the views were last reset for
-  std::uint64_t reconstructions_ = 0;  // seen so far
+  ObjectsSeen<1> shownPoints_, shownVolume_;  // what the views were last reset for
+  std::uint64_t reconstructions_ = 0;         // seen so far
   double viewsWant_ = -1, toastsWant_ = -1;
   bool glErrorTold_ = false;
 };

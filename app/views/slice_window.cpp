@@ -31,24 +31,17 @@ SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry,
   return sliceFrame(geometry, cameraOf(view, plane), glm::ivec2(pane.size));
 }
 
-template <class T>
-std::uintptr_t nameOf(const std::shared_ptr<T>& object) {
-  return reinterpret_cast<std::uintptr_t>(object.get());
-}
-
 bool marksVoxels(const Workspace& w) {
   return w.view.surfaceVoxels && w.view.layer != SliceLayer::thinned && w.session.results().thinned;
 }
 
 Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
   const ViewState& v = w.view;
-  const Results& results = w.session.results();
   const SlicePose& pose = v.slices[std::size_t(plane)];
   Hasher hasher("slice");
   hasher.add(plane).add(size.x).add(size.y).add(v.layer).add(v.grey.level).add(v.grey.width);
   hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
   hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
-  hasher.add(nameOf(w.session.scan().volume)).add(nameOf(results.classified)).add(nameOf(results.thinned));
   hasher.add(marksVoxels(w)).add(v.cropBox).add(w.session.erased().key());
   addOptions(hasher, w.session.parameters().region);
   return hasher.key();
@@ -90,8 +83,11 @@ void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, 
 // Draws the picture anew where what it shows has changed. One that fails is not tried again until then.
 void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans, Workspace& w,
              glm::ivec2 size) {
+  if (w.view.catchingUp) return;
+  const Results& results = w.session.results();
+  const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned});
   const Key key = pictureKey(w, plane, size);
-  if (key == window.drawn || w.view.catchingUp) return;
+  if (!others && key == window.drawn) return;
   window.drawn = key;
   const std::string failure = failureOf([&] {
     if (!view) view.emplace();

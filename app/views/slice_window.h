@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/objects_seen.h"
 #include "app/views/pane.h"
 #include "app/views/slice_tools.h"
 #include "app/views/space_window.h"
@@ -13,7 +14,8 @@ namespace sonoskin::ui {
 // SliceWindow: one slice. It keeps its picture and draws a new one only when what it shows has changed.
 struct SliceWindow {
   gl::Framebuffer picture;
-  Key drawn;         // of what the picture shows
+  Key drawn;  // of what the picture shows
+  ObjectsSeen<3> from;
   double turns = 0;  // of the wheel, not yet a whole slice
   SliceTools tools;
 };

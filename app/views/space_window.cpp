@@ -18,7 +18,14 @@ constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;  // share of the pixe
 constexpr double kWheelRests = 0.25;                        // seconds without a turn
 constexpr double kPreparingSeconds = 0.06;                  // between looks at how far the skin is prepared
 
-// The fingerprint of everything that the picture depends on.
+// The objects that the picture is drawn from.
+ObjectsSeen<2>::Objects drawnFrom(const Workspace& w) {
+  const Results& results = w.session.results();
+  if (showsMesh(w)) return {results.mesh, showsParts(w) ? results.verdicts : nullptr};
+  return {shownVolume(w), results.points};
+}
+
+// The fingerprint of everything else that it depends on.
 Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   const ViewState& v = w.view;
   Hasher hasher("3D");
@@ -27,13 +34,10 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   hasher.addBytes(&v.camera.up, sizeof v.camera.up).add(v.camera.distance).add(v.camera.fieldOfView);
   hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle).add(v.unmeasured);
   if (showsMesh(w)) {
-    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().mesh.get())).add(showsParts(w));
-    if (showsParts(w)) hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().verdicts.get()));
+    hasher.add(showsParts(w));
     if (wantsSkin(w)) window.skin.addTo(hasher, w);
   } else {
     hasher.add(shownLevel(v, w.session.results())).add(v.volumeLayer).add(v.crop);
-    hasher.add(reinterpret_cast<std::uintptr_t>(shownVolume(w).get()));
-    hasher.add(reinterpret_cast<std::uintptr_t>(w.session.results().points.get()));
     addOptions(hasher, w.session.parameters().region);
     hasher.add(w.session.scan().erasedKey);  // as the points have it: a stroke is faster than this view
   }
@@ -150,6 +154,7 @@ void drawAxes(const PaneInput& pane, const Workspace& w) {
 // wait for smoothing.
 static bool refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole, bool moving,
                     bool lighting) {
+  if (window.from.see(drawnFrom(workspace))) window.drawn = window.failed = {};
   const Key full = pictureKey(window, workspace, whole);
   if (window.failed == full) return false;  // not again until something changes
   const auto key = [&](int kind) { return Hasher("picture").add(full).add(kind).key(); };

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/objects_seen.h"
 #include "app/views/pane.h"
 #include "app/views/part_tools.h"
 #include "app/views/scene.h"
@@ -32,6 +33,7 @@ struct SpaceWindow {
   gl::Framebuffer picture;
   Key drawn;                      // of what the picture shows
   Key failed;                     // of what could not be drawn
+  ObjectsSeen<2> from;            // what both are of
   double secondsPerPixel = 1e-6;  // of the last draw
   double restsAt = 0;             // ImGui's time when a wheel's turn counts as over
 };

@@ -6,6 +6,8 @@
 #include "render/gl/read_pixels.h"
 #include "tests/render/support/gl_test.h"
 
+extern "C" void (*eglGetProcAddress(const char* name))();
+
 namespace sonoskin::gl {
 namespace {
 
@@ -26,6 +28,22 @@ TEST_F(ProgramTest, MovedFromProgramIsEmpty) {
   Program moved = std::move(program);
   EXPECT_EQ(moved.name(), name);
   EXPECT_EQ(program.name(), 0u);  // NOLINT: the state after a move is what is tested
+}
+
+// Whoever puts back what was in use before would name a program that is gone.
+TEST_F(ProgramTest, AProgramThatIsGoneIsNotInUse) {
+  const auto getInteger = reinterpret_cast<void (*)(unsigned, int*)>(eglGetProcAddress("glGetIntegerv"));
+  const auto used = [&] {
+    int name = -1;
+    getInteger(0x8B8D, &name);  // GL_CURRENT_PROGRAM
+    return name;
+  };
+  {
+    Program program({"common/fullscreen.vert", "volume/finish.frag"});
+    program.use();
+    EXPECT_EQ(unsigned(used()), program.name());
+  }
+  EXPECT_EQ(used(), 0);
 }
 
 TEST_F(ProgramTest, ErrorsOfOpenGlAreCounted) {
