@@ -11,7 +11,7 @@ packages=(
   libeigen3-dev libnanoflann-dev libglm-dev nlohmann-json3-dev libcli11-dev libspdlog-dev libfmt-dev
   # pictures and window: GLVND's headers, Mesa's software rasteriser, OSMesa (loaded when asked for)
   libegl-dev libgl-dev libopengl-dev libegl-mesa0 libgl1-mesa-dri libglx-mesa0 libosmesa6
-  libglfw3-dev libimgui-dev libfreetype-dev fonts-inter fonts-dejavu-core
+  libglfw3-dev libx11-dev libimgui-dev libfreetype-dev fonts-inter fonts-dejavu-core
   # tests: a display without a monitor, a hand for its mouse, and screenshots
   libgtest-dev libbenchmark-dev xvfb xauth xdotool x11-utils imagemagick
 )

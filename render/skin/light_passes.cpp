@@ -106,7 +106,6 @@ void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,
 
 void LightPasses::fit(const GpuSkin& surface) {
   if (surface.parts().number == surface_) return;
-  surface_ = surface.parts().number;
   size_ = surface.parts().atlasSize();
   done_ = {};
   next_ = kDone;
@@ -117,6 +116,7 @@ void LightPasses::fit(const GpuSkin& surface) {
   // The others come to their size when they are drawn.
   for (gl::Framebuffer* map : {&thin_[1], &thin_[2], &through_}) map->fit({1, 1});
   levels_.reset(size_);
+  surface_ = surface.parts().number;  // not where the driver could not hold one of these
 }
 
 bool LightPasses::step(const GpuSkin& surface) {

@@ -140,7 +140,8 @@ TEST(SessionExport, PicturesHaveTheRecipeOfWhatTheyShow) {
     Image image;
     image.width = image.height = 1;
     image.rgba = {1, 2, 3, 255};
-    session.savePicture(folder / "view.png", image, showsMesh);
+    session.savePicture(
+        folder / "view.png", [image] { return image; }, showsMesh);
     EXPECT_TRUE(wait(session));
     Parameters read;
     readRecipe(readText(folder / "view.recipe.json", kMostRecipeBytes), read);
@@ -160,6 +161,7 @@ TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   ASSERT_TRUE(wait(session));
   session.clearErased();
   session.loadRecipe(folder / "face.recipe.json");
+  ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.erased().mask().data, mask);
   session.undo();
   EXPECT_EQ(session.erased().voxels(), 0u);
@@ -171,6 +173,7 @@ TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   ASSERT_TRUE(wait(other));
   LogRecord said;
   other.loadRecipe(folder / "face.recipe.json");
+  ASSERT_TRUE(wait(other));
   EXPECT_EQ(other.erased().voxels(), 0u);
   EXPECT_EQ(warningsOf(said).size(), 1u);
   const test::ProgramResult result =

@@ -112,5 +112,21 @@ TEST(Worker, RestsAfterWhatItHadNotBegunIsCancelled) {
   }
 }
 
+// What follows a task may fail too; that of the others is done all the same.
+TEST(Worker, OneThatFailsAtTheEndLeavesTheOthers) {
+  Worker worker;
+  int ended = 0;
+  for (int i = 0; i < 3; ++i) {
+    worker.append({"work", [](const Progress&) {},
+                   [&, i] {
+                     if (i == 1) throw Error("no room for the second");
+                     ++ended;
+                   }});
+  }
+  while (worker.status().busy) std::this_thread::yield();
+  EXPECT_EQ(worker.poll(), std::vector<std::string>{"no room for the second"});
+  EXPECT_EQ(ended, 2);
+}
+
 }  // namespace
 }  // namespace sonoskin
