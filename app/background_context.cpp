@@ -27,7 +27,7 @@ BackgroundContext::BackgroundContext() {
   glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
   if (!window_)
     throw Error(
-        "the display gives no second OpenGL context to draw the picture with; 'sonoskin render' can draw it",
+        "The display gives no second OpenGL context to draw the picture with; 'sonoskin render' can draw it.",
         Error::Kind::system);
 }
 

@@ -75,7 +75,7 @@ std::vector<std::string> Worker::poll() {
     try {
       action();
     } catch (const std::exception& error) {
-      failed.emplace_back(error.what());  // the others' turn comes all the same
+      failed.push_back(errorText(error));  // the others' turn comes all the same
     }
   }
   return failed;

@@ -8,6 +8,7 @@
 
 #include "app/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "core/base/error_text.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -65,7 +66,7 @@ std::string failureOf(const std::function<void()>& draw) try {
   draw();
   return {};
 } catch (const std::exception& error) {
-  return *error.what() ? error.what() : "this view could not be drawn";
+  return errorText(error);
 }
 
 void showTexture(const PaneInput& pane, const gl::Framebuffer& framebuffer) {

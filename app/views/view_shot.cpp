@@ -53,7 +53,7 @@ ViewShot takeShot(SpaceWindow& window, const Workspace& w) {
 }
 
 SkinShot takeSkinShot(const SpaceWindow& window, const Workspace& w) {
-  require(window.skin.shows(w), "the skin is not ready yet; wait until the view shows it");
+  require(window.skin.shows(w), "The skin is not ready yet; wait until the view shows it.");
   return window.skin.shot(w);
 }
 

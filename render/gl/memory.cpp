@@ -9,8 +9,8 @@ void requireMade(bool made, const std::string& what) {
   const bool fits = !pollErrors().outOfMemory;
   if (made && fits) return;
   throw Error(
-      fmt::format("the graphics driver cannot hold {}{}; make the window or the picture smaller, close other "
-                  "programs, or use a smaller part of the volume",
+      fmt::format("The graphics driver cannot hold {}{}; make the window or the picture smaller, close other "
+                  "programs, or use a smaller part of the volume.",
                   what, fits ? "" : " for lack of memory"),
       Error::Kind::system);
 }

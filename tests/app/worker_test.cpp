@@ -119,12 +119,12 @@ TEST(Worker, OneThatFailsAtTheEndLeavesTheOthers) {
   for (int i = 0; i < 3; ++i) {
     worker.append({"work", [](const Progress&) {},
                    [&, i] {
-                     if (i == 1) throw Error("no room for the second");
+                     if (i == 1) throw Error("There is no room for the second.");
                      ++ended;
                    }});
   }
   while (worker.status().busy) std::this_thread::yield();
-  EXPECT_EQ(worker.poll(), std::vector<std::string>{"no room for the second"});
+  EXPECT_EQ(worker.poll(), std::vector<std::string>{"There is no room for the second."});
   EXPECT_EQ(ended, 2);
 }
 

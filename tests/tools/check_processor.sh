@@ -11,4 +11,4 @@ objdump -h "$1" | grep -q 'init_array\.00101' || { echo "$1 does not run before 
 status=0
 words=$("$3" -cpu Nehalem "$2" --version 2>&1) || status=$?
 echo "status $status: $words"
-[ "$status" = 1 ] && grep -q '^sonoskin: error: this processor lacks AVX2' <<<"$words"
+[ "$status" = 1 ] && grep -q '^sonoskin: error: This processor lacks AVX2' <<<"$words"

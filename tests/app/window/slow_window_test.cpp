@@ -1,6 +1,7 @@
 // Frames of 0.3 s, as where OpenGL is drawn in software or the machine is busy: nothing that a person does is lost.
 #include <thread>
 
+#include "core/base/error.h"
 #include "tests/app/window/window_driver.h"
 
 namespace sonoskin {
@@ -107,12 +108,12 @@ TEST_F(SlowWindowTest, KeysReachTheDialogThatOpens) {
 // A frame that fails is a message, and the next one follows.
 TEST_F(SlowWindowTest, AFrameThatCannotBeginIsAMessage) {
   Driver& d = *driver;
-  d.application.atFrame = [] { throw std::runtime_error("no memory for a frame"); };
+  d.application.atFrame = [] { throw Error("There is no memory for a frame."); };
   d.frames(2);
   d.application.atFrame = {};
   d.frames(2);
   ASSERT_FALSE(d.workspace().toasts.list.empty());
-  EXPECT_EQ(d.workspace().toasts.list.front().text, "no memory for a frame");
+  EXPECT_EQ(d.workspace().toasts.list.front().text, "There is no memory for a frame.");
   EXPECT_TRUE(d.alive());
 }
 
