@@ -150,9 +150,9 @@ void Application::lookForGlErrors() {
   gl::pollErrors();
   if (glErrorTold_ || gl::glErrorCount() == 0) return;
   glErrorTold_ = true;
-  log(LogLevel::warning,
-      fmt::format("The graphics driver reports an error ({}), so that pictures may be wrong; a newer driver may help.",
-                  gl::lastGlError()));
+  log(LogLevel::warning, fmt::format("The graphics driver reports an error ({}), so that pictures may be "
+                                     "wrong; a newer driver may help.",
+                                     gl::lastGlError()));
 }
 
 void Application::drawInterface() {

@@ -45,7 +45,7 @@ TEST(Worker, TellsFailures) {
   Worker worker;
   bool delivered = false;
   worker.append({"bad", [](const Progress&) { throw Error("the disk is full"); }, [&] { delivered = true; }});
-  EXPECT_EQ(wait(worker), std::vector<std::string>{"the disk is full"});
+  EXPECT_EQ(wait(worker), std::vector<std::string>{"The disk is full."});
   EXPECT_FALSE(delivered);
 }
 
