@@ -103,6 +103,23 @@ TEST(DicomNumbers, PaddingIsOutsideWhateverItsValueAndType) {
   }
 }
 
+// Whatever the file says of the type of the padding's elements, and where it says nothing.
+TEST(DicomNumbers, PaddingIsReadInEveryTransferSyntax) {
+  for (const bool explicitTypes : {true, false})
+    for (const bool paddingIsSigned : {true, false}) {
+      SCOPED_TRACE(fmt::format("{} {}", explicitTypes, paddingIsSigned));
+      const TempFolder folder;
+      int next = 0;
+      const auto number = [&](int n, int) { return n < 0 ? -1000 - next++ % 25 : n; };
+      series(folder, number, [&](DicomImage& image, int) {
+        image.isSigned = true, image.padding = -1000, image.paddingLimit = -1024;
+        image.explicitTypes = explicitTypes, image.paddingIsSigned = paddingIsSigned;
+      });
+      EXPECT_GE(readVolumeInfo(folder.path()).valueMin, 20);
+      expectBall(folder.path());
+    }
+}
+
 // Padding that lies inside, away from the sides, only the tag can tell.
 TEST(DicomNumbers, PaddingWithinTheScanIsObeyed) {
   const TempFolder folder;

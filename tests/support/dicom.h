@@ -26,19 +26,24 @@ struct DicomImage {
   std::string modality = "CT";
   std::string photometric = "MONOCHROME2";
   std::string series = "1.2.3.4.5";
-  std::string syntax = "1.2.840.10008.1.2.1";  // explicit types, little endian
+  bool explicitTypes = true;    // else they stand in the standard alone
+  bool paddingIsSigned = true;  // the type of the padding's elements follows the pixels'; else always US
 };
 
-// DicomBytes: elements one after another, explicit types, little endian [DICOM PS3.5, 7.1.2].
+// DicomBytes: elements one after another, little endian [DICOM PS3.5, 7.1.2, 7.1.3].
 class DicomBytes {
  public:
+  explicit DicomBytes(bool explicitTypes = true) : explicitTypes_(explicitTypes) {}
   void element(std::uint16_t group, std::uint16_t number, const char* type, std::string value) {
     if (value.size() % 2 != 0) value += std::strcmp(type, "UI") == 0 ? '\0' : ' ';
     add16(group), add16(number);
-    bytes += type;
+    if (explicitTypes_) bytes += type;
     const bool isLong = !std::strcmp(type, "OW") || !std::strcmp(type, "OB");
-    if (isLong) add16(0), add32(std::uint32_t(value.size()));
-    if (!isLong) add16(std::uint16_t(value.size()));
+    if (explicitTypes_ && isLong) add16(0);
+    if (explicitTypes_ && !isLong)
+      add16(std::uint16_t(value.size()));
+    else
+      add32(std::uint32_t(value.size()));
     bytes += value;
   }
   void text(std::uint16_t group, std::uint16_t number, const char* type, const std::string& value) {
@@ -52,6 +57,8 @@ class DicomBytes {
  private:
   void add16(std::uint16_t v) { bytes += {char(v & 255), char(v >> 8)}; }
   void add32(std::uint32_t v) { add16(std::uint16_t(v)), add16(std::uint16_t(v >> 16)); }
+
+  bool explicitTypes_;
 };
 
 inline std::string pixelBytes(const DicomImage& image) {
@@ -64,9 +71,10 @@ inline std::string pixelBytes(const DicomImage& image) {
 // dicomFile: the bytes of a file.
 inline std::string dicomFile(const DicomImage& i) {
   const std::string instance = i.series + "." + std::to_string(i.number);
-  const char* eitherSign = i.isSigned ? "SS" : "US";
-  DicomBytes meta, data;
-  meta.text(2, 2, "UI", i.mediaStorage), meta.text(2, 3, "UI", instance), meta.text(2, 16, "UI", i.syntax);
+  const char* eitherSign = i.isSigned && i.paddingIsSigned ? "SS" : "US";
+  const std::string syntax = i.explicitTypes ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
+  DicomBytes meta, data(i.explicitTypes);
+  meta.text(2, 2, "UI", i.mediaStorage), meta.text(2, 3, "UI", instance), meta.text(2, 16, "UI", syntax);
   data.text(8, 0x16, "UI", i.mediaStorage), data.text(8, 0x18, "UI", instance);
   data.text(8, 0x60, "CS", i.modality);
   data.text(0x20, 0xd, "UI", i.series + ".1"), data.text(0x20, 0xe, "UI", i.series);
