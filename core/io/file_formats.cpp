@@ -70,8 +70,8 @@ const std::vector<Row>& rows() {
        {".ply"},
        "mm; normals, labels, what the probe sees and what was measured"},
       {F::stl, Holds::mesh, "STL", {".stl"}, {".stl"}, "mm; triangles alone", {}, 0, true},
-      {F::obj, Holds::mesh, "OBJ", {".obj"}, {".obj"}, "mm; normals", {}, 0, false, true},
       {F::glb, Holds::mesh, "GLB", {".glb"}, {".glb"}, "metres, Y up; normals", {}, 0, false, true},
+      {F::obj, Holds::mesh, "OBJ", {".obj"}, {".obj"}, "mm; normals", {}, 0, false, true},
       {F::threeMf, Holds::mesh, "3MF", {".3mf"}, {".3mf"}, "mm; triangles alone", {}, 0, true},
       {F::png, Holds::picture, "PNG", {}, {".png"}, "pictures"},
       {F::json, Holds::recipe, "JSON", {".json"}, {".json"}, "recipes"}};
@@ -153,7 +153,8 @@ std::string formatList(FileKind kind) {
   std::vector<std::string> formats;
   for (const Row& row : rows())
     if (const auto& endings = endingsOf(row, kind); !endings.empty())
-      formats.push_back(fmt::format("{} ({})", row.name, fmt::join(endings, ", ")));
+      formats.push_back(fmt::format("{} ({}{})", row.name, fmt::join(endings, ", "),
+                                    row.format == FileFormat::dicom ? ", or its folder" : ""));
   return listed(formats);
 }
 

@@ -12,7 +12,8 @@
 // README name what it holds.
 namespace sonoskin {
 
-enum class FileFormat { nrrd, meta, nifti, vtk, dicom, ply, stl, obj, glb, threeMf, png, json };
+// In the order of the table.
+enum class FileFormat { nrrd, meta, nifti, vtk, dicom, ply, stl, glb, obj, threeMf, png, json };
 
 // FileKind: what a file is wanted for.
 //   printedMesh   a solid for a printer
@@ -37,7 +38,8 @@ const std::vector<std::string>& extensionsOf(FileKind kind);
 std::vector<std::string> extensionWords(FileKind kind);
 // extensionList: the same for a sentence: ".nrrd, .mha, .nii.gz or .vtk".
 std::string extensionList(FileKind kind);
-// formatList: the formats with their endings, for a sentence: "NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or ...".
+// formatList: the formats with their endings, for a sentence: "NRRD (.nrrd, .nhdr), ... or DICOM (.dcm, or its
+// folder)".
 std::string formatList(FileKind kind);
 
 // formatNamed: the format that the ending of a file's name stands for; nothing where it is none of the kind's, or the

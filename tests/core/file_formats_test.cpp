@@ -141,6 +141,21 @@ TEST(FileFormats, SayWhatAFileIsInstead) {
   expectError([&] { readScan(folder / "b.nrrd"); }, "does not begin as NRRD files do");
 }
 
+// What a name without an ending becomes, and what is proposed.
+TEST(FileFormats, TheUsualOneComesFirst) {
+  EXPECT_EQ(extensionsOf(FileKind::writtenVolume).front(), ".nrrd");
+  EXPECT_EQ(extensionsOf(FileKind::writtenMesh).front(), ".ply");
+  EXPECT_EQ(extensionsOf(FileKind::printedMesh).front(), ".stl");
+  EXPECT_EQ(extensionsOf(FileKind::texturedMesh).front(), ".glb");
+  for (const FileKind kind : {FileKind::readVolume, FileKind::readMesh})
+    for (const std::string& ending : extensionsOf(kind)) {
+      const FileFormat format = *formatNamed(kind, "a" + ending);
+      EXPECT_NE(formatList(kind).find(formatName(format)), std::string::npos) << ending;
+    }
+  EXPECT_EQ(formatName(FileFormat::glb), "GLB");
+  EXPECT_EQ(formatName(FileFormat::json), "JSON");
+}
+
 // The first bytes count more than the name.
 TEST(FileFormats, AreKnownByTheirMarks) {
   const TempFolder folder;

@@ -111,7 +111,7 @@ TEST(WriteMesh, GlbStandsUprightInMetres) {
 TEST(WriteMesh, RefusesWhatItCannotWrite) {
   const TempFolder folder;
   Mesh mesh = icosphere(0, 1, {});
-  expectError([&] { writeMesh(folder / "a.fbx", mesh); }, ".ply, .stl, .obj, .glb or .3mf",
+  expectError([&] { writeMesh(folder / "a.fbx", mesh); }, ".ply, .stl, .glb, .obj or .3mf",
               Error::Kind::usage);
   expectError([&] { writeMesh(folder / "a.ply", Mesh{}); }, "no surface");
   Mesh bad = mesh;
