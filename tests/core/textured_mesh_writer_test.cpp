@@ -141,7 +141,7 @@ TEST(WriteTexturedMesh, RefusesWhatDoesNotFit) {
   expectError([&] { writeTexturedMesh(folder / "a.obj", s); }, "normals");
   s = square();
   s.mesh.triangles[1][2] = 4;
-  expectError([&] { writeTexturedMesh(folder / "a.obj", s); }, "not there");
+  expectError([&] { writeTexturedMesh(folder / "a.obj", s); }, "does not exist");
   EXPECT_EQ(folder.entries(), 0);
 }
 
