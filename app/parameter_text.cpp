@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/shown_text.h"
 
 namespace sonoskin {
 namespace {
@@ -124,7 +125,8 @@ void assign(std::string_view name, std::string_view text, T& member) {
   const auto value = parse(text, member);
   if (!value) {
     const std::string example = textOf(member) == "none" ? "12,-3.5,40;8,0,61" : textOf(member);
-    throw Error(fmt::format("--{} {} is not {}; give for example {}.", name, text, kindOf(member), example),
+    throw Error(fmt::format("--{} {} is not {}; give for example {}.", name, shownText(text), kindOf(member),
+                            example),
                 Error::Kind::usage);
   }
   member = *value;
@@ -134,8 +136,8 @@ void assign(std::string_view name, std::string_view text, T& member, const Range
   T value = member;
   assign(name, text, value);
   if (!within(value, range)) {
-    throw Error(fmt::format("--{} {} lies outside of {} .. {}; give a value within.", name, text, range.min,
-                            range.max),
+    throw Error(fmt::format("--{} {} lies outside of {} .. {}; give a value within.", name, shownText(text),
+                            range.min, range.max),
                 Error::Kind::usage);
   }
   member = value;
@@ -172,8 +174,9 @@ void setParameter(Parameters& parameters, std::string_view name, std::string_vie
       },
       parameters);
   if (!found) {
-    throw Error(fmt::format("There is no parameter --{}; \"sonoskin recipe --explain\" lists them.", name),
-                Error::Kind::usage);
+    throw Error(
+        fmt::format("There is no parameter --{}; \"sonoskin recipe --explain\" lists them.", shownText(name)),
+        Error::Kind::usage);
   }
 }
 

@@ -16,11 +16,31 @@ namespace sonoskin {
 namespace {
 
 constexpr int kMaxSide = 16384;
+constexpr double kMostPacked = 1100;  // bytes that one of a packed stream can stand for, and a little more
 
 void append(void* target, void* data, int bytes) {
   const auto* first = static_cast<const std::uint8_t*>(data);
   static_cast<std::vector<std::uint8_t>*>(target)->insert(
       static_cast<std::vector<std::uint8_t>*>(target)->end(), first, first + bytes);
+}
+
+// Whether every part of a PNG ends within it: stb takes the memory that a part asks for.
+bool partsFit(const std::vector<std::uint8_t>& png) {
+  constexpr std::size_t kMagicBytes = 8, kFrame = 12;  // length, name and sum of a part
+  for (std::size_t at = kMagicBytes; at + kFrame <= png.size();) {
+    std::size_t bytes = 0;
+    for (std::size_t b = 0; b < 4; ++b) bytes = bytes << 8 | png[at + b];
+    if (bytes > png.size() - at - kFrame) return false;
+    at += kFrame + bytes;
+  }
+  return true;
+}
+
+// As the first part of a PNG tells by depth and colour type.
+int bitsPerPixel(const std::vector<std::uint8_t>& png) {
+  constexpr std::size_t kDepth = 24, kType = 25;
+  constexpr int kChannels[] = {1, 0, 3, 1, 2, 0, 4};
+  return png.size() > kType ? png[kDepth] * kChannels[std::min<std::size_t>(png[kType], 6)] : 0;
 }
 
 }  // namespace
@@ -61,6 +81,9 @@ Image readPng(const std::filesystem::path& path) {
   require(std::max(side(16), side(20)) <= kMaxSide,
           "{} has {} x {} pixels, more than {} x {}; make it smaller.", path.string(), side(16), side(20),
           kMaxSide, kMaxSide);
+  const double bytes = double(side(16)) * double(side(20)) * bitsPerPixel(png) / 8;
+  require(partsFit(png) && bytes <= kMostPacked * double(size),
+          "{} is damaged: it declares more than it holds; get a fresh copy.", path.string());
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(png.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
   require(pixels != nullptr, "{} is damaged or incomplete; get a fresh copy.", path.string());

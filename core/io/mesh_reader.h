@@ -16,7 +16,4 @@ namespace sonoskin {
 //   errors  Error: no such file, another extension, damaged or incomplete, no triangles; Cancelled
 Mesh readMesh(const std::filesystem::path& path, const Progress& progress = {});
 
-// parseMesh: the same in this process, whatever the file does to the libraries; readMesh has it done apart where it can.
-Mesh parseMesh(const std::filesystem::path& path, const Progress& progress = {});
-
 }  // namespace sonoskin

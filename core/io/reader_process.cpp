@@ -25,7 +25,7 @@
 #include "core/base/timer.h"
 #include "core/io/file_bytes.h"
 #include "core/io/reader_limits.h"
-#include "core/io/reader_wire.h"
+#include "core/io/reader_task.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;

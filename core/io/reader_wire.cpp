@@ -6,8 +6,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
-#include "core/io/mesh_reader.h"
-#include "core/io/volume_loader.h"
+#include "core/io/loaded_mesh.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -93,7 +92,6 @@ void walkMesh(F& f, M& m) {
 }
 
 bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool isFinite(const glm::vec3& v) { return isFinite(glm::dvec3(v)); }
 
 void writeOptionals(const Writer& f, const StoredVolume& s) {
   f(std::uint8_t(s.unitRange.has_value()));
@@ -130,29 +128,17 @@ bool isSound(const LoadedVolume& v) {
   return double(v.numbers.size()) == expected;
 }
 
-bool isSound(const Mesh& m) {
-  const std::size_t n = m.positions.size();
-  const auto fits = [&](std::size_t size) { return size == 0 || size == n; };
-  return fits(m.normals.size()) && fits(m.visibility.size()) && fits(m.measured.size()) &&
-         fits(m.labels.size()) && (m.cornerUvs.empty() || m.cornerUvs.size() == m.triangles.size()) &&
-         std::ranges::all_of(m.positions, [](const glm::vec3& p) { return isFinite(p); }) &&
-         std::ranges::all_of(m.triangles, [&](const Triangle& t) {
-           return std::max({t[0], t[1], t[2]}) < n;
-         });
-}
-
 }  // namespace
 
-void performTask(ReaderTask task, const fs::path& path, const Write& write, const Progress& progress) {
+void writeAnswer(const LoadedVolume& volume, const Write& write) {
   const Writer writer(write);
-  if (task == ReaderTask::mesh) {
-    const Mesh mesh = parseMesh(path, progress);
-    walkMesh(writer, mesh);
-  } else {
-    const LoadedVolume volume = loadVolume(path, progress);
-    writeOptionals(writer, volume.stored);
-    walkVolume(writer, volume);
-  }
+  writeOptionals(writer, volume.stored);
+  walkVolume(writer, volume);
+}
+
+void writeAnswer(const Mesh& mesh, const Write& write) {
+  const Writer writer(write);
+  walkMesh(writer, mesh);
 }
 
 LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
@@ -170,9 +156,7 @@ Mesh meshFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
   Taker taker(answer, path);
   Mesh mesh;
   walkMesh(taker, mesh);
-  require(isSound(mesh),
-          "{} has triangles without vertices, or vertices at no finite place; get a fresh copy.",
-          path.string());
+  checkMesh(mesh, path);
   return mesh;
 }
 

@@ -6,8 +6,6 @@
 #include <functional>
 #include <span>
 
-#include "core/base/progress.h"
-#include "core/io/reader_process.h"
 #include "core/io/stored_volume.h"
 #include "core/mesh/mesh.h"
 
@@ -17,13 +15,13 @@ namespace sonoskin {
 
 using Write = std::function<void(const void* data, std::size_t bytes)>;
 
-// performTask: reads, and writes the answer piece by piece.
-//   errors  those of loadVolume or parseMesh
-void performTask(ReaderTask task, const std::filesystem::path& path, const Write& write,
-                 const Progress& progress);
+// writeAnswer: what was read, piece by piece.
+void writeAnswer(const LoadedVolume& volume, const Write& write);
+void writeAnswer(const Mesh& mesh, const Write& write);
 
 // volumeFrom, meshFrom: of an answer.
-//   errors  Error: it contradicts itself: sizes that do not fit, indices without a vertex, numbers that are not finite
+//   errors  Error: it contradicts itself: sizes that do not fit, indices without a vertex, numbers that are not finite; or
+//           checkGeometry or checkMesh refuse it
 LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const std::filesystem::path& path);
 Mesh meshFrom(std::span<const std::uint8_t> answer, const std::filesystem::path& path);
 

@@ -83,8 +83,9 @@ bool isOwnName(const fs::path& path) {
          name.find_first_not_of("0123456789abcdef", std::strlen(kPrefix)) == std::string::npos;
 }
 bool isPlainName(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." && fs::path(name).filename() == fs::path(name) &&
-         !name.starts_with(kPrefix);
+  const bool isWhole = name.find('\0') == std::string::npos;  // the system would end it there
+  return isWhole && !name.empty() && name != "." && name != ".." &&
+         fs::path(name).filename() == fs::path(name) && !name.starts_with(kPrefix);
 }
 
 bool isTakenByOther(const fs::path& target) {

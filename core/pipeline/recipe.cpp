@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/shown_text.h"
 #include "core/base/version.h"
 #include "core/pipeline/check_ranges.h"
 
@@ -40,15 +41,6 @@ constexpr const char* kindName() {
 bool isInt(const Json& json) {
   if (json.is_number_unsigned()) return json.get<std::uint64_t>() <= std::uint64_t(INT_MAX);
   return json.get<std::int64_t>() >= INT_MIN;
-}
-
-// A name out of a file as a message may show it: short, and without what a terminal would obey.
-std::string shown(std::string_view name) {
-  constexpr std::size_t kMost = 60;
-  std::string text(name.substr(0, kMost));
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return name.size() > kMost ? text + "..." : text;
 }
 
 // Whether the JSON value is of T's kind; JSON's own conversions would take 1.5 for an int.
@@ -101,7 +93,7 @@ void readGroup(const Json& object, const std::string& group, Options& options) {
           fromJson(v, fmt::format("{}.{}", group, k), member);
         },
         options);
-    if (!known) refuse(fmt::format("there is no parameter {}.{}", group, shown(key)));
+    if (!known) refuse(fmt::format("there is no parameter {}.{}", group, shownText(key)));
   }
 }
 
@@ -177,7 +169,7 @@ RecipeInput readRecipe(const std::string& text, Parameters& parameters) {
           readGroup(v, std::string(k), options);
         },
         read);
-    if (!known) refuse(fmt::format("there is no group of parameters \"{}\"", shown(key)));
+    if (!known) refuse(fmt::format("there is no group of parameters \"{}\"", shownText(key)));
   }
   checkRanges(read);
   parameters = read;

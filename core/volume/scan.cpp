@@ -63,10 +63,13 @@ namespace {
 
 // The voxel of another grid that a place in the world lies in; nothing outside.
 std::optional<std::size_t> voxelAt(const Geometry& grid, const glm::dvec3& world) {
-  const glm::ivec3 v(glm::floor(grid.toIndex(world) + 0.5));
-  const bool inside =
-      glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, grid.dims));
-  return inside ? std::optional(grid.index(v.x, v.y, v.z)) : std::nullopt;
+  const glm::dvec3 at =
+      glm::floor(grid.toIndex(world) + 0.5);  // compared first: it may be beyond all integers
+  const bool inside = glm::all(glm::greaterThanEqual(at, glm::dvec3(0))) &&
+                      glm::all(glm::lessThan(at, glm::dvec3(grid.dims)));
+  if (!inside) return {};
+  const glm::ivec3 v(at);
+  return grid.index(v.x, v.y, v.z);
 }
 
 // Whether voxels with the same index are the same: one grid, or a file that does not tell where it lies.

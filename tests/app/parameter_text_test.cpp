@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace sonoskin {
@@ -27,6 +29,21 @@ TEST(ParameterText, ReadsEveryKindOfValue) {
   setParameter(p, "mesh.partsAdd", "none");
   EXPECT_TRUE(p.mesh.partsAdd.empty());
   EXPECT_TRUE(p.reconstruction.fitWeights);
+}
+
+TEST(ParameterText, MessagesShowNoMoreThanALineOfWhatWasGiven) {
+  Parameters p;
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"scan.apex", "1,2,\x1b[2J\n"},
+                                   {"classification.alpha", std::string(100'000, '9')},
+                                   {"\x1b]0;a\a" + std::string(100'000, 'x'), "1"}})
+    try {
+      setParameter(p, name, text);
+      ADD_FAILURE() << name << " took " << text;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_LT(message.size(), 300u);
+      EXPECT_TRUE(std::ranges::none_of(message, [](unsigned char c) { return c < 0x20; })) << message;
+    }
 }
 
 TEST(ParameterText, RefusesWhatIsNotAValueAndChangesNothing) {

@@ -48,5 +48,18 @@ TEST(Png, RefusesTruncatedAndHugePictures) {
   expectError([&] { readPng(folder.write("c.png", bytes)); }, "make it smaller");
 }
 
+// What a header of some bytes asks for is held against the file's size before memory is taken for it.
+TEST(Png, TakesNoMoreMemoryThanTheFileCanFill) {
+  const TempFolder folder;
+  writePng(folder / "a.png", gradient(8, 8));
+  const std::string good = test::fileText(folder / "a.png");
+  std::string bytes = good;
+  bytes[18] = bytes[22] = 0x3f;  // 16136 x 16136 pixels
+  expectError([&] { readPng(folder.write("b.png", bytes)); }, "declares more than it holds");
+  bytes = good;
+  bytes[good.find("IDAT") - 4] = 0x38;  // a part of 939 MB
+  expectError([&] { readPng(folder.write("c.png", bytes)); }, "declares more than it holds");
+}
+
 }  // namespace
 }  // namespace sonoskin

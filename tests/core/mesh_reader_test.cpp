@@ -80,6 +80,45 @@ TEST(ReadMesh, JoinsWhatTexturesSplit) {
   EXPECT_EQ(mesh.normals.size(), 4u);
 }
 
+// Of a triangle whose second vertex has these values beside its place.
+std::string trianglePly(const std::string& values) {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  for (const char* name : {"nx", "ny", "nz", "visibility", "measured", "s", "t"})
+    text += std::string("property float ") + name + "\n";
+  return text +
+         "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0 0 1 0 0.5 0.25 0 0\n1 0 "
+         "0 " +
+         values + "\n0 1 0 0 1 0 1 1 1 1\n3 0 1 2\n";
+}
+
+TEST(ReadPly, ValuesBesidePlacesAreWhatAMeshPromises) {
+  const TempFolder folder;
+  const Mesh good = readMesh(folder.write("a.ply", trianglePly("0 3 4 0.75 1 1 0")));
+  EXPECT_EQ(good.normals[0], glm::vec3(0, 1, 0));
+  EXPECT_LT(glm::distance(good.normals[1], glm::vec3(0, 0.6f, 0.8f)), 1e-6f);
+  EXPECT_EQ(good.cornerUvs.size(), 1u);
+  for (const std::string normal : {"nan 0 1", "0 0 0", "inf 0 0", "1e38 1e38 0"}) {
+    const Mesh mesh = readMesh(folder.write("b.ply", trianglePly(normal + " 1 1 0 0")));
+    EXPECT_EQ(mesh.normals[1], glm::vec3(0, 0, 1)) << normal;
+  }
+  const Mesh mesh = readMesh(folder.write("c.ply", trianglePly("0 0 1 nan nan inf 0")));
+  EXPECT_EQ(mesh.visibility, (std::vector<float>{0.5f, 0, 1}));
+  EXPECT_EQ(mesh.measured, (std::vector<float>{0.25f, 0, 1}));
+  EXPECT_TRUE(mesh.cornerUvs.empty());
+  EXPECT_EQ(readMesh(folder.write("d.ply", trianglePly("0 0 1 -3 7 0 0"))).measured[1], 1);
+}
+
+TEST(ReadMesh, TheUnitOfAGlbCountsForItsExtent) {
+  const TempFolder folder;
+  writeMesh(folder / "a.glb", icosphere(1, 1000, {}));
+  EXPECT_NEAR(boundingBox(readMesh(folder / "a.glb").positions).max.x, 1000, 1);
+  Mesh large = icosphere(1, 1, {});
+  for (glm::vec3& p : large.positions) p *= 2e5f;
+  writeMesh(folder / "b.glb", large);
+  expectError([&] { readMesh(folder / "b.glb"); }, "no surface of a body");
+}
+
 TEST(ReadMesh, RefusesWhatIsNoSurface) {
   const TempFolder folder;
   expectError([&] { readMesh(folder / "none.ply"); }, "no file");

@@ -8,15 +8,17 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <tuple>
 
 #include "core/base/log.h"
 #include "core/base/timer.h"
 #include "core/io/file_formats.h"
+#include "core/io/mesh_loader.h"
 #include "core/io/mesh_reader.h"
 #include "core/io/mesh_writer.h"
-#include "core/io/reader_wire.h"
+#include "core/io/reader_task.h"
 #include "core/io/volume_loader.h"
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
@@ -254,6 +256,28 @@ TEST(ReaderWire, TrustsNothing) {
     } catch (const Error&) {
     }
   }
+}
+
+TEST(ReaderWire, RefusesMeshesThatBreakTheirPromises) {
+  Mesh good;
+  good.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  good.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  good.visibility = good.measured = {0, 0.5f, 1};
+  good.triangles = {{0, 1, 2}};
+  const auto passed = [](const Mesh& mesh) {
+    std::vector<std::uint8_t> bytes;
+    writeAnswer(mesh, [&](const void* data, std::size_t count) {
+      const auto* from = static_cast<const std::uint8_t*>(data);
+      bytes.insert(bytes.end(), from, from + count);
+    });
+    return meshFrom(bytes, "a.ply");
+  };
+  EXPECT_EQ(passed(good).normals, good.normals);
+  Mesh normals = good, visibility = good, far = good;
+  normals.normals[1].x = std::numeric_limits<float>::quiet_NaN();
+  visibility.visibility[1] = -1;
+  far.positions[1].x = 1e30f;
+  for (const Mesh& wrong : {normals, visibility, far}) expectError([&] { passed(wrong); }, "a.ply");
 }
 
 }  // namespace

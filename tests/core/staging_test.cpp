@@ -127,6 +127,18 @@ TEST(Staging, FollowsNoListThatIsNotItsOwn) {
   EXPECT_EQ(fileText(notes / "mesh.ply"), "evil");
 }
 
+// The system would take such a name for the part before the zero, "." here, and refuse it at every start again.
+TEST(Staging, DropsNamesWithZerosInAJournal) {
+  const TempFolder folder;
+  const fs::path left = folder / ".sonoskin-00000000000000000000000000000000";
+  fs::create_directory(left);
+  put(left / "a.ply", "new");
+  put(left / ".sonoskin-publish", std::string("+.\0x\n+a.ply\n", 12));
+  finishInterrupted(folder.path());
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_EQ(fileText(folder / "a.ply"), "new");
+}
+
 // Killed at fifty moments of publishing sets one after the other, the next start finds one set or the other, never a
 // mixture, and none of the files that a set takes away.
 TEST(Staging, ASetIsWholeWheneverItsMakerIsKilled) {
