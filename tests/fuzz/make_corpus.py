@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""make_corpus.py FOLDER: writes small files for every fuzzer into FOLDER/<target>; those named good_* must be accepted."""
+import gzip
+import json
+import pathlib
+import struct
+import sys
+import zlib
+
+CORNERS = [(0, 0, 0), (10, 0, 0), (0, 10, 0), (0, 0, 10)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def broken(good, step=7):
+    """Cuts and flipped bytes of a good file, a few of each."""
+    for at in range(step, len(good), max(step, len(good) // 6)):
+        yield f"cut_{at}", good[:at]
+        yield f"flip_{at}", good[:at] + bytes([good[at] ^ 0xFF]) + good[at + 1:]
+
+
+# ---- meshes
+
+def ply(order):
+    form = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    head = (f"ply\nformat {form} 1.0\ncomment SPACE=LPS\nelement vertex 4\n"
+            + "".join(f"property float {p}\n" for p in "x y z nx ny nz visibility s t measured".split())
+            + "property uchar label\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n").encode()
+    rows = [c + (0, 0, 1, 0.5, 0.25, 0.75, 1, 3) for c in CORNERS]
+    if not order:
+        lines = [" ".join(map(str, r)) for r in rows] + ["3 %d %d %d" % f for f in FACES]
+        return head + "\n".join(lines).encode() + b"\n"
+    return (head + b"".join(struct.pack(order + "10fB", *r) for r in rows)
+            + b"".join(struct.pack(order + "B3i", 3, *f) for f in FACES))
+
+
+def stl_binary():
+    body = b"".join(struct.pack("<12fH", 0, 0, 1, *sum((CORNERS[v] for v in f), ()), 0) for f in FACES)
+    return b"COLOR=".ljust(80, b" ") + struct.pack("<I", len(FACES)) + body
+
+
+def stl_text():
+    text = "solid a\n"
+    for f in FACES:
+        corners = "".join("vertex %g %g %g\n" % CORNERS[v] for v in f)
+        text += f"facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n"
+    return (text + "endsolid a\n").encode()
+
+
+def obj():
+    text = "# SPACE=RAS\n" + "".join("v %g %g %g\nvt 0.5 0.5\n" % c for c in CORNERS)
+    return (text + "".join("f %d/%d %d/%d %d/%d\n" % tuple(v + 1 for v in f for _ in "pt") for f in FACES)).encode()
+
+
+def counted(form, rows):
+    return struct.pack("<Q", len(rows)) + b"".join(struct.pack("<" + form, *r) for r in rows)
+
+
+def mesh_answer():
+    """As core/io/reader_wire.cpp has it: positions, normals, visibility, triangles, corners, measured, labels."""
+    return (counted("3f", CORNERS) + counted("3f", [(0, 0, 1)] * 4) + counted("f", [(0.5,)] * 4)
+            + counted("3I", FACES) + counted("6f", [(0, 0, 1, 0, 0, 1)] * 4) + counted("f", [(1,)] * 4)
+            + counted("B", [(3,)] * 4))
+
+
+def scene():
+    """As tests/fuzz/scene_fuzz.cpp takes it apart: one part with normals and texture coordinates, under one node."""
+    flat = [x for c in CORNERS for x in c]
+    part = struct.pack("<B12f", 4, *flat) + struct.pack("<B12f12fB", 3, *[0, 0, 1] * 4, *flat, 4)
+    part += b"".join(struct.pack("B3B", 2, *f) for f in FACES)
+    identity = [float(r == c) for r in range(4) for c in range(4)]
+    return b"\0" + part + struct.pack("<16fBBB", *identity, 1, 0, 0)
+
+
+# ---- volumes
+
+VOXELS = bytes(range(24))  # 4 x 3 x 2
+
+
+def nrrd(encoding, data, extra=""):
+    head = (f"NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 3 2\n"
+            f"space directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\nkinds: domain domain domain\nencoding: {encoding}\n"
+            f"space origin: (0,0,0)\nsonoskin_beam_axis:=0 1 0\n{extra}\n")
+    return head.encode() + data
+
+
+def meta(extra, data):
+    return (f"ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n{extra}"
+            "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\nElementSpacing = 0.5 0.5 0.5\nDimSize = 4 3 2\n"
+            "AnatomicalOrientation = RAI\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n").encode() + data
+
+
+def vtk(form, data):
+    return (f"# vtk DataFile Version 3.0\ntitle\n{form}\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 3 2\n"
+            "SPACING 0.5 0.5 0.5\nORIGIN 0 0 0\nPOINT_DATA 24\nSCALARS scalars unsigned_char 1\n"
+            "LOOKUP_TABLE default\n").encode() + data
+
+
+def nifti():
+    head = bytearray(348)
+    struct.pack_into("<i", head, 0, 348)
+    struct.pack_into("<8h", head, 40, 3, 4, 3, 2, 1, 1, 1, 1)
+    struct.pack_into("<2h", head, 70, 2, 8)
+    struct.pack_into("<8f", head, 76, 1, 0.5, 0.5, 0.5, 0, 0, 0, 0)
+    struct.pack_into("<3f", head, 108, 352, 1, 0)
+    struct.pack_into("<2h", head, 252, 1, 0)
+    head[344:348] = b"n+1\0"
+    return bytes(head) + bytes(4) + VOXELS
+
+
+def dicom(implicit):
+    def element(tag, vr, value):
+        value += b"\0" * (len(value) % 2)
+        if implicit and tag >> 16 != 2:
+            return struct.pack("<HHI", tag >> 16, tag & 0xFFFF, len(value)) + value
+        if vr in ("OB", "OW", "SQ"):
+            return struct.pack("<HH2sHI", tag >> 16, tag & 0xFFFF, vr.encode(), 0, len(value)) + value
+        return struct.pack("<HH2sH", tag >> 16, tag & 0xFFFF, vr.encode(), len(value)) + value
+
+    syntax = b"1.2.840.10008.1.2" + (b"" if implicit else b".1")
+    item = element(0x00080060, "CS", b"US")
+    sequence = struct.pack("<HHI", 0xFFFE, 0xE000, len(item)) + item
+    return (bytes(128) + b"DICM" + element(0x00020010, "UI", syntax) + element(0x00080060, "CS", b"US")
+            + element(0x00081140, "SQ", sequence) + element(0x00280010, "US", struct.pack("<H", 4))
+            + element(0x7FE00010, "OW", VOXELS))
+
+
+def geometry(spacing=0.5, kind=1, shift=0.0):
+    """As tests/fuzz/stored_volumes.h takes it apart."""
+    identity = [float(r == c) for r in range(3) for c in range(3)]
+    return struct.pack("<3i15d3B", 5, 4, 3, spacing, 0.6, 0.7, shift, 0, 0, *identity, kind, 1, 1)
+
+
+def volume_answer():
+    """As core/io/reader_wire.cpp has it: what may be missing, then the rest in its order."""
+    text = b"NRRD"
+    head = struct.pack("<BB", 0, 0) + struct.pack("<Q", len(text)) + text
+    identity = [float(r == c) for r in range(3) for c in range(3)]
+    place = struct.pack("<3i3d3d9d", 4, 3, 2, 0.5, 0.5, 0.5, 0, 0, 0, *identity)
+    return (head + place + struct.pack("<BiiiBQQ", 1, 1, 1, 1, 0, 0, 24)
+            + struct.pack("<Q", len(VOXELS)) + VOXELS)
+
+
+# ---- pictures, texts
+
+def png(width, height, pixels=True):
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    rows = (b"\0" + bytes(4 * width)) * height if pixels else b""
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+RECIPE = {"sonoskin": "0.1.0", "classification": {"alpha": 0.5}, "scan": {"probeSide": "i-low"},
+          "mesh": {"partsCut": [[0, 0, 0], [1, 2, 3], [4, 5, 6]]}, "landmarks": {"noseTip": [1.5, -2, 30]}}
+SETTINGS = {"folder": "/a", "recent": ["/a/b.nrrd", "/c"], "remembersFiles": True, "width": 1500, "height": 940,
+            "skinQuality": "full"}
+
+
+def corpus():
+    """Of every target: good files by name, and broken ones beside those that cuts and flips of the good give."""
+    text = " ".join(map(str, VOXELS)).encode()
+    yield "ply", {"text": ply(""), "little": ply("<"), "big": ply(">")}, {
+        "many": ply("").replace(b"vertex 4", b"vertex 99999999999"),
+        "nan": ply("").replace(b"0.25", b"nan").replace(b" 1 0.5", b" inf 0.5")}
+    yield "stl", {"binary": stl_binary(), "text": stl_text()}, {"many": stl_binary()[:80] + b"\xff" * 54}
+    yield "obj", {"text": obj()}, {"index": obj() + b"f 99 -7 1\n"}
+    yield "mesh_answer", {"whole": mesh_answer()}, {}
+    yield "scene", {"whole": scene()}, {}
+    yield "nrrd", {"raw": nrrd("raw", VOXELS), "gzip": nrrd("gzip", gzip.compress(VOXELS, mtime=0)),
+                   "text": nrrd("ascii", text)}, {"outside": nrrd("raw", b"", "data file: ../b.raw\n")}
+    yield "meta", {"raw": meta("", VOXELS)} | {
+        "packed": meta(f"CompressedData = True\nCompressedDataSize = {len(zlib.compress(VOXELS))}\n",
+                       zlib.compress(VOXELS))}, {"list": meta("", b"").replace(b"LOCAL", b"LIST\na\n")}
+    yield "vtk", {"binary": vtk("BINARY", VOXELS), "text": vtk("ASCII", text)}, {}
+    yield "nifti", {}, {"plain": nifti(), "packed": gzip.compress(nifti(), mtime=0)}
+    yield "dicom", {"explicit": dicom(False), "implicit": dicom(True)}, {}
+    yield "geometry", {"plain": geometry()}, {"far": geometry(shift=1e300), "fine": geometry(spacing=1e-300)}
+    yield "volume_answer", {"whole": volume_answer()}, {}
+    yield "mask", {"bytes": geometry() + bytes(range(60)), "float": geometry(kind=8) + bytes(range(240))}, {
+        "elsewhere": geometry(shift=500) + bytes(range(60)), "fine": geometry(spacing=0.0011, shift=9e4) + b"\1" * 60}
+    yield "image", {"small": png(5, 3)}, {"large": png(16384, 16384, False)}
+    yield "recipe", {"some": json.dumps(RECIPE).encode()}, {
+        "number": b'{"classification": {"alpha": 1e999}}', "deep": b"[" * 2000,
+        "wraps": b'{"mesh": {"smooth": 4294967297}}'}
+    yield "landmarks", {"some": b"landmarks.noseTip=1.5,-2,30\nlandmarks.mouthLeft=1,2,3\nclassification.alpha=0.7"}, {
+        "nan": b"landmarks.noseTip=nan,inf,1\nlandmarks.leftEye=1,2\nlandmarks.rightEye=1,2,3,4"}
+    yield "settings", {"whole": json.dumps(SETTINGS).encode()}, {"kind": b'{"width": "wide", "recent": [1, {}]}'}
+    yield "journal", {"whole": b"+a\n+d\n-c\n"}, {
+        "outside": b"+../outside\n-../outside\n-.\n-..\n+/\n", "own": b"-.sonoskin-publish\n+.sonoskin-list\n"}
+
+
+def main():
+    for target, good, other in corpus():
+        folder = pathlib.Path(sys.argv[1]) / target
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, data in good.items():
+            (folder / f"good_{name}").write_bytes(data)
+        for name, data in other.items():
+            (folder / f"other_{name}").write_bytes(data)
+        for name, data in (good | other).items():
+            for fault, damaged in broken(data):
+                (folder / f"{fault}_{name}").write_bytes(damaged)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,11 @@
+// OBJ files: the guard in front of assimp, assimp, and what is made of its answer.
+#include "core/io/mesh_loader.h"
+#include "tests/fuzz/mesh_claims.h"
+
+using namespace sonoskin;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fuzz::InputFile file("a.obj");
+  fuzz::attempt([&] { fuzz::claimSound(parseMesh(file.hold({data, size}))); });
+  return 0;
+}

@@ -1,0 +1,19 @@
+// Recipes: whatever is taken is written back as the same parameters, all of them in range.
+#include "core/pipeline/recipe.h"
+
+#include "core/pipeline/check_ranges.h"
+#include "tests/fuzz/fuzz_input.h"
+
+using namespace sonoskin;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::attempt([&] {
+    Parameters first, second;
+    readRecipe(std::string(fuzz::textOf({data, size})), first);
+    checkRanges(first);
+    const std::string written = writeRecipe(first);
+    readRecipe(written, second);
+    fuzz::claim(writeRecipe(second) == written, "a recipe repeats itself");
+  });
+  return 0;
+}
