@@ -7,6 +7,7 @@
 
 #include "core/io/atomic_file.h"
 #include "tests/app/cli_support.h"
+#include "tests/support/sanitized.h"
 
 namespace sonoskin::test {
 namespace {
@@ -70,6 +71,7 @@ TEST_F(Streams, RecipesThatAreNoFilesAreRefusedAtOnce) {
 
 // Renderers end the program where memory is short: the surface is safe by then.
 TEST_F(Streams, ShortMemoryCostsThePicturesAlone) {
+  if (test::kSanitized) GTEST_SKIP() << "sanitizers do not run with few addresses";
   const std::string out = (folder / "out").string();
   std::string words = "run phantom --out " + out + " >/dev/null 2>" + err;
   for (const std::string& word : kSmall) words += " " + word;
