@@ -62,6 +62,7 @@ void limitTo(const ReaderLimits& limits) {
   set(RLIMIT_CORE, 0, 0);
   // At the first a signal comes that tells why, at the second one that cannot be ignored.
   set(RLIMIT_CPU, rlim_t(limits.seconds), rlim_t(limits.seconds) + 2);
+// Sanitizers map terabytes of addresses for what they note down, so that any limit of ours would end them.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   const rlim_t memory = pages().first * pageBytes() + limits.memory;
   set(RLIMIT_AS, memory, memory);

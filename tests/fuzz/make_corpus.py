@@ -136,7 +136,7 @@ def volume_answer():
     head = struct.pack("<BB", 0, 0) + struct.pack("<Q", len(text)) + text
     identity = [float(r == c) for r in range(3) for c in range(3)]
     place = struct.pack("<3i3d3d9d", 4, 3, 2, 0.5, 0.5, 0.5, 0, 0, 0, *identity)
-    return (head + place + struct.pack("<BiiiBQQ", 1, 1, 1, 1, 0, 0, 24)
+    return (head + place + struct.pack("<BiiiBQQQ", 1, 1, 1, 1, 0, 0, 0, 24)
             + struct.pack("<Q", len(VOXELS)) + VOXELS)
 
 
