@@ -16,7 +16,8 @@ namespace sonoskin {
 namespace {
 
 constexpr int kLevels = PointDiffusion::kLevels;
-constexpr std::ptrdiff_t kRun = 16384;  // texels or samples of a task
+constexpr std::size_t kFewPlaces = 20'000;  // are asked at any cost
+constexpr std::ptrdiff_t kRun = 16384;      // texels or samples of a task
 
 glm::vec4 colourOf(const glm::vec4& premultiplied) {
   return premultiplied.a > 0 ? glm::vec4(glm::vec3(premultiplied) / premultiplied.a, 1)
@@ -42,6 +43,12 @@ struct BlockDiffusion::State {
                                  const std::vector<glm::vec4>& irradiance, const Progress& progress) const;
   std::vector<glm::vec4> lightOfSamples(const std::vector<glm::vec4>& irradiance) const;
   AreaPoints sample(const Progress& progress);
+  // affordablePlaces: at how many places a level may be asked: in a cloud of loose triangles, which is no surface, at few.
+  std::size_t affordablePlaces(int level) const;
+  // spreads: whether a level is asked at all, at the vertices at least.
+  bool spreads(int level, std::size_t affordable) const {
+    return diffusion->resolves(level) && surface->mesh->positions.size() <= std::max(affordable, kFewPlaces);
+  }
   glm::vec4 valueAt(std::size_t texel, const TriangleLattice& places,
                     const std::vector<glm::vec4>& atPlaces) const;
   void fitSides(const TriangleLattice& places, const std::vector<glm::vec4>& atPlaces,
@@ -60,16 +67,24 @@ BlockDiffusion::State::State(std::shared_ptr<const SkinSurface> s, const Gaussia
     : surface(std::move(s)), variances(p.variances), sides(*surface) {
   diffusion.emplace(sample(progress.part(0, 0.2)), p, progress.part(0.2, 0.8));
   double before = 0;
-  for (std::size_t i = 1; i <= kLevels; ++i) {
+  for (int level = 1; level <= kLevels; ++level) {
     constexpr double kMostSide = 1.1;  // mm: normals turn too far over more
-    const double side =
-        std::max(std::min(0.75 * std::sqrt(variances[i]), kMostSide), 2 * double(surface->atlas.texel));
-    places.push_back(side == before ? places.back()
-                     : !diffusion->resolves(int(i))
-                         ? nullptr
-                         : std::make_shared<const TriangleLattice>(*surface->mesh, side));
-    before = places.back() ? side : 0;
+    const double side = std::max(std::min(0.75 * std::sqrt(variances[std::size_t(level)]), kMostSide),
+                                 2 * double(surface->atlas.texel));
+    const std::size_t most = affordablePlaces(level);
+    places.push_back(!spreads(level, most) ? nullptr
+                     : side == before && most >= TriangleLattice::kMost
+                         ? places.back()
+                         : std::make_shared<const TriangleLattice>(*surface->mesh, side, most));
+    before = places.back() && most >= TriangleLattice::kMost ? side : 0;
   }
+}
+
+std::size_t BlockDiffusion::State::affordablePlaces(int level) const {
+  constexpr double kMostLooks = 4e8;  // at bunches, twice as many as a head needs: 2 s of CPU
+  if (!diffusion->resolves(level)) return 0;
+  return std::size_t(
+      std::min(kMostLooks / std::max(diffusion->crowding(level), 1.0), double(TriangleLattice::kMost)));
 }
 
 AreaPoints BlockDiffusion::State::sample(const Progress& progress) {
@@ -95,7 +110,7 @@ std::vector<glm::vec4> BlockDiffusion::State::diffuse(int level, const std::vect
                                                       const Progress& progress) const {
   const std::vector<glm::vec4>& position = surface->maps.position;
   std::vector<glm::vec4> map(irradiance.size());
-  if (!diffusion->resolves(level)) {
+  if (!places[std::size_t(level - 1)]) {
     forEach(map.size(), [&](std::size_t texel) {
       map[texel] = position[texel].w > 0 ? colourOf(irradiance[texel]) : glm::vec4(0);
     });
@@ -135,6 +150,11 @@ BlockDiffusion::BlockDiffusion() = default;
 BlockDiffusion::~BlockDiffusion() = default;
 BlockDiffusion::BlockDiffusion(BlockDiffusion&&) noexcept = default;
 BlockDiffusion& BlockDiffusion::operator=(BlockDiffusion&&) noexcept = default;
+
+std::size_t BlockDiffusion::placesAsked(int level) const {
+  const auto places = state ? state->places[std::size_t(level - 1)] : nullptr;
+  return places ? places->positions().size() : 0;
+}
 
 std::size_t BlockDiffusion::bytes() const {
   if (!state) return 0;

@@ -20,6 +20,8 @@ class BlockDiffusion {
 
   // bytes: memory that is kept.
   std::size_t bytes() const;
+  // placesAsked: at how many places a level, 1 to 5, is asked; 0 where it leaves the light as it falls.
+  std::size_t placesAsked(int level) const;
 
   struct State;
   std::unique_ptr<State> state;  // for diffuseInBlocks

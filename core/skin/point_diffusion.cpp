@@ -139,6 +139,17 @@ PointDiffusion::PointDiffusion(const AreaPoints& samples, const GaussianSum& pro
   }
 }
 
+double PointDiffusion::crowding(int number) const {
+  constexpr std::size_t kLooks = 1000;
+  const Level& level = levels_[std::size_t(number - 1)];
+  const std::size_t step = 1 + level.points.size() / kLooks;
+  double found = 0, looks = 0;
+  for (std::size_t i = 0; i < level.points.size(); i += step, ++looks)
+    level.grid.forEachRun(level.points.positions[i], level.reach,
+                          [&](std::size_t first, std::size_t last) { found += double(last - first); });
+  return looks > 0 ? found / looks : 0;
+}
+
 PointDiffusion::Levels PointDiffusion::gather(std::span<const glm::vec4> irradiance) const {
   Levels result;
   parallelFor(kLevels, [&](std::ptrdiff_t l) { result[std::size_t(l)] = gather(int(l) + 1, irradiance); });

@@ -32,6 +32,10 @@ class PointDiffusion {
   // resolves: whether a level is wide enough for the points to tell from no blur at all.
   bool resolves(int level) const { return levels_[std::size_t(level - 1)].resolved; }
 
+  // crowding: how many bunches lightAt looks at for a place of a level that is resolved, on average: some 30 to 200 on a
+  // surface, thousands where loose triangles fill a volume.
+  double crowding(int level) const;
+
   // gather: what falls on each level's bunches; nothing for one that is not resolved.
   //   input    irradiance   per sample
   Levels gather(std::span<const glm::vec4> irradiance) const;

@@ -118,6 +118,34 @@ TEST(ObjectSize, MemoryOfSpreadLightIsBounded) {
   EXPECT_LT(kept.bytes(), 100'000'000u);
 }
 
+// Loose triangles that fill a volume have thousands of bunches within reach of each place: it is asked for fewer places.
+TEST(ObjectSize, CloudsOfTrianglesAreAskedAtFewPlaces) {
+  Mesh cloud;
+  std::uint32_t state = 1;
+  const auto random = [&state] { return float(state = state * 1664525u + 1013904223u) / 4294967296.f; };
+  for (std::uint32_t i = 0; i < 30'000; ++i) {
+    const glm::vec3 middle(20 * random(), 20 * random(), 20 * random());
+    for (int corner = 0; corner < 3; ++corner)
+      cloud.positions.push_back(middle + 2.f * glm::vec3(random(), random(), random()));
+    cloud.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  SkinQuality quality;
+  quality.texels = 2e5;
+  const std::shared_ptr<const SkinSurface> surface =
+      prepareSkin(std::make_shared<const Mesh>(std::move(cloud)), {0, -1, 0}, quality);
+  const SurfaceSamples samples = sampleSurface(*surface->mesh, 0.2);
+  const PointDiffusion points({samples.positions, samples.normals, samples.areas}, literatureSkin());
+  const double crowding = points.crowding(PointDiffusion::kLevels);
+  EXPECT_GT(crowding, 2000);
+  BlockDiffusion kept;
+  const std::vector<glm::vec4> white(surface->maps.position.size(), glm::vec4(1));
+  diffuseInBlocks(surface, literatureSkin(), white, kept);
+  EXPECT_LT(double(kept.placesAsked(PointDiffusion::kLevels)) * crowding, 1.5e9);
+  const SurfaceSamples smooth = sampleSurface(ball(20), 0.2);
+  const PointDiffusion few({smooth.positions, smooth.normals, smooth.areas}, literatureSkin());
+  for (int level = 1; level <= PointDiffusion::kLevels; ++level) EXPECT_LT(few.crowding(level), 400) << level;
+}
+
 // Where points are too far apart for a Gaussian the light stays as it is: the change from one to the other is no step
 // that can be seen in texels as large as the points' distance.
 TEST(ObjectSize, LightOfLargeObjectsTendsToWhatFalls) {
