@@ -24,12 +24,18 @@ void append(void* target, void* data, int bytes) {
       static_cast<std::vector<std::uint8_t>*>(target)->end(), first, first + bytes);
 }
 
+// A number of four bytes, the most significant first.
+std::size_t numberAt(const std::vector<std::uint8_t>& png, std::size_t at) {
+  std::size_t number = 0;
+  for (std::size_t b = 0; b < 4; ++b) number = number << 8 | png[at + b];
+  return number;
+}
+
 // Whether every part of a PNG ends within it: stb takes the memory that a part asks for.
 bool partsFit(const std::vector<std::uint8_t>& png) {
   constexpr std::size_t kMagicBytes = 8, kFrame = 12;  // length, name and sum of a part
   for (std::size_t at = kMagicBytes; at + kFrame <= png.size();) {
-    std::size_t bytes = 0;
-    for (std::size_t b = 0; b < 4; ++b) bytes = bytes << 8 | png[at + b];
+    const std::size_t bytes = numberAt(png, at);
     if (bytes > png.size() - at - kFrame) return false;
     at += kFrame + bytes;
   }
@@ -40,7 +46,7 @@ bool partsFit(const std::vector<std::uint8_t>& png) {
 int bitsPerPixel(const std::vector<std::uint8_t>& png) {
   constexpr std::size_t kDepth = 24, kType = 25;
   constexpr int kChannels[] = {1, 0, 3, 1, 2, 0, 4};
-  return png.size() > kType ? png[kDepth] * kChannels[std::min<std::size_t>(png[kType], 6)] : 0;
+  return png[kDepth] * kChannels[std::min<std::size_t>(png[kType], 6)];
 }
 
 }  // namespace
@@ -74,16 +80,13 @@ Image readPng(const std::filesystem::path& path) {
   int channels = 0;
   const int size = int(png.size());
   // The size is looked at before anything is allocated for the pixels.
-  const auto side = [&](std::size_t at) {  // most significant byte first
-    return std::uint64_t(png[at]) << 24 | std::uint64_t(png[at + 1]) << 16 | png[at + 2] << 8 | png[at + 3];
-  };
-  require(png.size() > 24, "{} is damaged or incomplete; get a fresh copy.", path.string());
-  require(std::max(side(16), side(20)) <= kMaxSide,
-          "{} has {} x {} pixels, more than {} x {}; make it smaller.", path.string(), side(16), side(20),
-          kMaxSide, kMaxSide);
-  const double bytes = double(side(16)) * double(side(20)) * bitsPerPixel(png) / 8;
-  require(partsFit(png) && bytes <= kMostPacked * double(size),
-          "{} is damaged: it declares more than it holds; get a fresh copy.", path.string());
+  require(png.size() > 25, "{} is damaged or incomplete; get a fresh copy.", path.string());
+  const std::size_t width = numberAt(png, 16), height = numberAt(png, 20);
+  require(std::max(width, height) <= kMaxSide, "{} has {} x {} pixels, more than {} x {}; make it smaller.",
+          path.string(), width, height, kMaxSide, kMaxSide);
+  require(
+      partsFit(png) && double(width) * double(height) * bitsPerPixel(png) / 8 <= kMostPacked * double(size),
+      "{} is damaged: it declares more than it holds; get a fresh copy.", path.string());
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(png.data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
   require(pixels != nullptr, "{} is damaged or incomplete; get a fresh copy.", path.string());

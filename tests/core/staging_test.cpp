@@ -133,7 +133,9 @@ TEST(Staging, DropsNamesWithZerosInAJournal) {
   const fs::path left = folder / ".sonoskin-00000000000000000000000000000000";
   fs::create_directory(left);
   put(left / "a.ply", "new");
-  put(left / ".sonoskin-publish", std::string("+.\0x\n+a.ply\n", 12));
+  struct stat facts;
+  ASSERT_EQ(::stat(left.c_str(), &facts), 0);
+  put(left / ".sonoskin-publish", std::to_string(facts.st_ino) + std::string("\n+.\0x\n+a.ply\n", 13));
   finishInterrupted(folder.path());
   EXPECT_FALSE(fs::exists(left));
   EXPECT_EQ(fileText(folder / "a.ply"), "new");

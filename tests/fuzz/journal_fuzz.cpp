@@ -1,5 +1,5 @@
-// The journal of a set of files that an ended program left, with any text in it: a later start finishes or drops it, and
-// touches nothing outside the folder and nothing in it that the journal does not name.
+// The journal of a set of files that an ended program left, with any text after the number of its folder: a later start
+// finishes or drops it, and touches nothing outside the folder and nothing in it that the journal does not name.
 #include <sys/stat.h>
 
 #include "core/io/staging.h"
@@ -33,7 +33,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   folder.write("outside", kKept);
   for (const char* name : {"inside/a", "inside/b", "inside/c"}) folder.write(name, kKept);
   for (const char* name : {"a", "d"}) folder.write(left / name, "new");
-  folder.write(left / ".sonoskin-publish", journal);
+  struct stat facts;
+  fuzz::claim(::stat(left.c_str(), &facts) == 0, "the folder is there");
+  folder.write(left / ".sonoskin-publish", std::to_string(facts.st_ino) + "\n" + std::string(journal));
   finishInterrupted(inside);
   fuzz::claim(!fs::exists(left), "what was left is gone");
   fuzz::claim(test::fileText(folder / "outside") == kKept && folder.entries() == 2,

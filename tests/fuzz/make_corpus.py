@@ -180,7 +180,9 @@ def corpus():
     yield "mask", {"bytes": geometry() + bytes(range(60)), "float": geometry(kind=8) + bytes(range(240))}, {
         "elsewhere": geometry(shift=500) + bytes(range(60)), "fine": geometry(spacing=0.0011, shift=9e4) + b"\1" * 60}
     yield "image", {"small": png(5, 3)}, {"large": png(16384, 16384, False)}
-    yield "recipe", {"some": json.dumps(RECIPE).encode()}, {
+    erased = RECIPE | {"erased": {"dims": [5, 4, 3], "counts": [10, 20, 5, 25]}}
+    yield "recipe", {"some": json.dumps(RECIPE).encode(), "erased": json.dumps(erased).encode()}, {
+        "ragged": b'{"erased": {"dims": [5, 4, 3], "counts": [18446744073709551615, 61]}}',
         "number": b'{"classification": {"alpha": 1e999}}', "deep": b"[" * 2000,
         "wraps": b'{"mesh": {"smooth": 4294967297}}'}
     yield "landmarks", {"some": b"landmarks.noseTip=1.5,-2,30\nlandmarks.mouthLeft=1,2,3\nclassification.alpha=0.7"}, {
