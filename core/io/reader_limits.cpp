@@ -20,12 +20,16 @@ constexpr double kLeastSeconds = 5, kSecondsPerMegabyte = 0.25;
 
 std::uint64_t pageBytes() { return std::uint64_t(::sysconf(_SC_PAGESIZE)); }
 
-// The pages of this process: all that it has asked for, and those in memory.
-std::pair<std::uint64_t, std::uint64_t> pages() {
+// The pages of this process: all that it has asked for, those in memory, and those of them that are a file's.
+struct Pages {
+  std::uint64_t all = 0, resident = 0, ofFiles = 0;
+};
+
+Pages pages() {
   std::ifstream statm("/proc/self/statm");
-  std::uint64_t all = 0, resident = 0;
-  statm >> all >> resident;
-  return {all, resident};
+  Pages p;
+  statm >> p.all >> p.resident >> p.ofFiles;
+  return p;
 }
 
 // Bytes of what a reader of this path may look at: the file, or all files of the folder where a header or a series names
@@ -64,7 +68,7 @@ void limitTo(const ReaderLimits& limits) {
   set(RLIMIT_CPU, rlim_t(limits.seconds), rlim_t(limits.seconds) + 2);
 // Sanitizers map terabytes of addresses for what they note down, so that any limit of ours would end them.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  const rlim_t memory = pages().first * pageBytes() + limits.memory;
+  const rlim_t memory = pages().all * pageBytes() + limits.memory;
   set(RLIMIT_AS, memory, memory);
 #endif
 }
@@ -78,7 +82,11 @@ ReaderEnd endOf(int waitStatus, const rusage& usage, const ReaderLimits& limits,
   return taken > kNear * double(limits.memory) ? ReaderEnd::outOfMemory : ReaderEnd::crashed;
 }
 
-std::uint64_t residentBytes() { return pages().second * pageBytes(); }
+// A forked process begins without the pages of files, and takes them as it needs them.
+std::uint64_t residentBytes() {
+  const Pages p = pages();
+  return (p.resident - std::min(p.resident, p.ofFiles)) * pageBytes();
+}
 
 Error endError(ReaderEnd end, const fs::path& path, const ReaderLimits& limits) {
   const std::string file = path.string();

@@ -36,7 +36,7 @@ enum class ReaderEnd { crashed, outOfMemory, outOfTime, killed };
 ReaderEnd endOf(int waitStatus, const rusage& usage, const ReaderLimits& limits,
                 std::uint64_t residentBefore);
 
-// residentBytes: of this process, in memory now.
+// residentBytes: of this process, in memory now, that one forked from it has from its beginning.
 std::uint64_t residentBytes();
 
 // endError: the sentence for it.
