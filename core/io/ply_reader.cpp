@@ -261,9 +261,11 @@ void checkResult(const Mesh& mesh, const fs::path& path) {
   require(!mesh.positions.empty() && !mesh.triangles.empty(),
           "{} holds no triangles; choose a file with a surface.", path.string());
   for (const glm::vec3& p : mesh.positions)
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) failBody(path);
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
+            "{} has a vertex at no finite position; get a fresh copy.", path.string());
   for (const Triangle& t : mesh.triangles)
-    if (std::max({t[0], t[1], t[2]}) >= mesh.positions.size()) failBody(path);
+    require(std::max({t[0], t[1], t[2]}) < mesh.positions.size(),
+            "{} has a triangle without vertices; get a fresh copy.", path.string());
 }
 
 void setUvs(const std::vector<glm::vec2>& uvs, Mesh& mesh) {

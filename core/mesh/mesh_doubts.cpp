@@ -57,12 +57,15 @@ std::vector<std::string> pairDoubts(const Mesh& a, const Mesh& b) {
 }
 
 void requireExtent(const Mesh& mesh, const std::string& name) {
-  constexpr float kFarthest = 1e7f, kLargest = 1e5f;  // mm
+  constexpr double kFarthest = 1e7, kLargest = 1e5;  // mm
   const Box box = boundingBox(mesh.positions);
-  const glm::vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
-  require(std::max({farthest.x, farthest.y, farthest.z}) <= kFarthest && box.diagonal() <= kLargest,
-          "{} is {:.3g} m across or as far away, which no surface of a body is; check its unit.", name,
-          double(box.diagonal()) / 1000);
+  const glm::vec3 corner = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double farthest = double(std::max({corner.x, corner.y, corner.z})),
+               across = glm::length(glm::dvec3(box.max) - glm::dvec3(box.min));
+  require(across <= kLargest, "{} is {:.3g} m across, which no surface of a body is; check its unit.", name,
+          across / 1000);
+  require(farthest <= kFarthest, "{} lies {:.3g} m away from its origin, where no body is; check its unit.",
+          name, farthest / 1000);
 }
 
 void scaleMesh(Mesh& mesh, float factor) {

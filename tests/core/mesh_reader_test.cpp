@@ -130,7 +130,19 @@ TEST(ReadMesh, RefusesWhatIsNoSurface) {
   }
   std::string far = squarePly();
   far.replace(far.find("7 4 0 1 2 3"), 11, "7 4 0 1 2 4");
-  expectError([&] { readMesh(folder.write("far.ply", far)); }, "damaged");
+  expectError([&] { readMesh(folder.write("far.ply", far)); }, "a triangle without vertices");
+}
+
+TEST(ReadPly, SaysWhatIsWrongWithAPlace) {
+  const TempFolder folder;
+  const auto withPlace = [&](const std::string& place) {
+    std::string text = trianglePly("0 0 1 1 1 0 0");
+    text.replace(text.find("1 0 0 0 0 1"), 5, place);
+    return folder.write("a.ply", text);
+  };
+  expectError([&] { readMesh(withPlace("nan 0 0")); }, "no finite position");
+  expectError([&] { readMesh(withPlace("1e30 0 0")); }, "1e+27 m across");
+  expectError([&] { readMesh(withPlace("-inf 0 0")); }, "no finite position");
 }
 
 TEST(ReadMesh, RefusesHugeCountsAtOnce) {
