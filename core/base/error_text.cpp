@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -43,9 +44,13 @@ std::string errorText(const std::exception& error) {
 }
 
 std::string asSentence(std::string text) {
-  const std::string first = text.substr(0, text.find(' '));
-  const bool isWord = std::ranges::all_of(first, [](char c) { return (c >= 'a' && c <= 'z') || c == '\''; });
-  if (isWord && !first.empty() && first[0] != '\'') text[0] = char(text[0] - 'a' + 'A');
+  // A file may be called by any other word.
+  static constexpr std::array<std::string_view, 18> kBeginnings{
+      "a",  "an",  "every", "for", "is",    "it",   "no",   "not",   "nothing",
+      "of", "one", "only",  "the", "there", "this", "what", "where", "which"};
+  const std::size_t end = text.find(' ');
+  if (end != std::string::npos && std::ranges::count(kBeginnings, std::string_view(text).substr(0, end)) > 0)
+    text[0] = char(text[0] - 'a' + 'A');
   if (!text.empty() && std::string_view(".?!").find(text.back()) == std::string_view::npos) text += '.';
   return text;
 }

@@ -36,9 +36,8 @@ std::string doubtOfFile(const Scan& scan) {
   }
   if (scan.originalMin < kHounsfield)
     return fmt::format(
-        "the values begin at {:.0f}, as in a CT and not in ultrasound: the surface may be anything but a "
-        "baby's "
-        "skin; open a 3D ultrasound scan",
+        "the values begin at {:g}, as in a CT and not in ultrasound: the surface may be anything but a "
+        "baby's skin; open a 3D ultrasound scan",
         scan.originalMin);
   return {};
 }
