@@ -29,7 +29,9 @@ TEST(ObjectsSeen, AnAddressThatComesBackIsAnother) {
     cameBack += !addresses.insert(object.get()).second;
     EXPECT_TRUE(seen.see({object})) << i;
   }
+#if !defined(__SANITIZE_ADDRESS__)  // which gives no address twice for a long time
   EXPECT_GT(cameBack, 0) << "nothing was tested";
+#endif
 }
 
 }  // namespace
