@@ -12,18 +12,6 @@
 
 namespace sonoskin {
 
-namespace {
-
-void eraseAsIn(const RecipeInput& recipe, Scan& scan) {
-  if (recipe.erased.counts.empty()) return;
-  if (recipe.key != scan.key.hex())
-    return log(LogLevel::warning,
-               "What the recipe erases is of another volume; nothing is erased of this one.");
-  setErased(scan, fromRunLengths(recipe.erased, scan.volume->geometry));
-}
-
-}  // namespace
-
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress) {
   const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
   Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
@@ -33,9 +21,17 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
   if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
   if (!files.erased.empty())
     setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
-  else
-    eraseAsIn(files.recipe, scan);
+  else if (auto erased = erasedIn(files.recipe, scan))
+    setErased(scan, std::move(*erased));
   return scan;
+}
+
+std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Scan& scan) {
+  if (recipe.erased.counts.empty()) return {};
+  if (scan.volume && recipe.key == scan.key.hex())
+    return fromRunLengths(recipe.erased, scan.volume->geometry);
+  log(LogLevel::warning, "What the recipe erases is of another volume; nothing is erased of this one.");
+  return {};
 }
 
 void warnOfSpacing(const Scan& scan) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/progress.h"
@@ -27,6 +28,10 @@ struct InputFiles {
 // is erased of its own scan alone, where no file says what is.
 //   errors  Error: see readScan, setMask, setErased and fromRunLengths; Cancelled
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
+
+// erasedIn: what a recipe erases of a scan; nothing, and a warning, where it is of another one.
+//   errors  Error: see fromRunLengths
+std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Scan& scan);
 
 // warnOfSpacing: logs that a scan's spacing is not known, where it is not.
 void warnOfSpacing(const Scan& scan);

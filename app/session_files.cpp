@@ -76,10 +76,7 @@ void Session::loadRecipe(const fs::path& path) {
 void Session::takeRecipe(const std::string& text) {
   Parameters read = parameters_;
   const RecipeInput input = readRecipe(text, read);
-  if (!input.erased.counts.empty() && input.key == scan_.key.hex())
-    erased_.become(fromRunLengths(input.erased, scan_.volume->geometry));
-  else if (!input.erased.counts.empty())
-    log(LogLevel::warning, "What the recipe erases is of another volume; nothing is erased of this one.");
+  if (const auto erased = erasedIn(input, scan_)) erased_.become(*erased);
   show(read);
   commitEdit();
 }

@@ -183,5 +183,16 @@ TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   EXPECT_NE(result.err.find("of another volume"), std::string::npos) << result.err;
 }
 
+// A recipe that was made up names the fingerprint that a session without a scan has.
+TEST(SessionExport, ARecipeErasesNothingWhereNothingIsOpen) {
+  const TempFolder folder;
+  const std::string text =
+      "{\"input\": \"" + Key().hex() + "\", \"erased\": {\"dims\": [1, 1, 1], \"counts\": [0, 1]}}";
+  Session session(small());
+  session.loadRecipe(folder.write("a.recipe.json", text));
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.erased().voxels(), 0u);
+}
+
 }  // namespace
 }  // namespace sonoskin
