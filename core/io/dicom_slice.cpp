@@ -14,21 +14,11 @@ namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-// The libraries' own words may quote the file, so they are not passed on.
-template <class Call>
-void guarded(const fs::path& path, Call&& call) {
-  try {
-    call();
-  } catch (const itk::MemoryAllocationError&) {
-    throw std::bad_alloc();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {
-    throw Error(
-        fmt::format("{} holds no pixels that can be read: it is incomplete, or packed in a way that is not "
-                    "known here; get a fresh copy, or save it as NRRD.",
-                    path.string()));
-  }
+void guarded(const fs::path& path, const std::function<void()>& call) {
+  callItk(call,
+          fmt::format("{} holds no pixels that can be read: it is incomplete, or packed in a way that is "
+                      "not known here; get a fresh copy, or save it as NRRD.",
+                      path.string()));
 }
 
 }  // namespace

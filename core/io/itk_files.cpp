@@ -38,21 +38,11 @@ itk::ImageIORegion wholeRegion(const itk::ImageIOBase& io) {
   return region;
 }
 
-// Calls ITK; its own words may quote the file, so they are not passed on.
-template <class Call>
-void guarded(const fs::path& path, Call&& call) {
-  try {
-    call();
-  } catch (const itk::MemoryAllocationError&) {
-    throw std::bad_alloc();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {
-    throw Error(fmt::format(
-        "{} holds no voxels that can be read: it is damaged, or of a kind that is not known here; "
-        "get a fresh copy, or save it in another format.",
-        path.string()));
-  }
+void guarded(const fs::path& path, const std::function<void()>& call) {
+  callItk(call,
+          fmt::format("{} holds no voxels that can be read: it is damaged, or of a kind that is not known "
+                      "here; get a fresh copy, or save it in another format.",
+                      path.string()));
 }
 
 // The keys of ours that ITK has found.
@@ -123,6 +113,18 @@ bool holdsAll(FileFormat format, const fs::path& path, const void* numbers, std:
 }
 
 }  // namespace
+
+void callItk(const std::function<void()>& call, const std::string& sentence) {
+  try {
+    call();
+  } catch (const itk::MemoryAllocationError&) {
+    throw std::bad_alloc();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    throw Error(sentence);
+  }
+}
 
 StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
   StoredVolume stored;

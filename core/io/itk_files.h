@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "core/base/progress.h"
 #include "core/io/declared_data.h"
@@ -11,7 +13,8 @@ namespace itk {
 class ImageIOBase;
 }
 
-// Volumes in one file (NRRD, MetaImage, NIfTI, VTK), read and written by ITK. This file and dicom_series.cpp are the only ones that see it.
+// Volumes in one file (NRRD, MetaImage, NIfTI, VTK), read and written by ITK. This file, dicom_slice.cpp and dicom_series.cpp
+// are the only ones that see it.
 namespace sonoskin {
 
 // readWithItk: reads a file that checkData has let through.
@@ -31,5 +34,9 @@ void writeWithItk(FileFormat format, const std::filesystem::path& path, const St
 // describedBy: what an image that ITK has opened is: its geometry, type and numbers per voxel.
 //   errors   Error: numbers of a type that is not known here
 StoredVolume describedBy(const itk::ImageIOBase& io, const std::filesystem::path& path);
+
+// callItk: calls ITK, whose own words may quote the file, so that they are not passed on.
+//   errors   Error: `sentence`, where it fails; std::bad_alloc
+void callItk(const std::function<void()>& call, const std::string& sentence);
 
 }  // namespace sonoskin
