@@ -252,8 +252,7 @@ void addPictures(BatchRun& run, const Scan& scan, const Results& results, const 
   } catch (const std::bad_alloc&) {
     throw Error(
         "The surface is written, but its pictures could not be drawn for want of memory; close other "
-        "programs or give "
-        "a smaller --size.",
+        "programs or give a smaller --size.",
         Error::Kind::system);
   }
   publish(run, timer);

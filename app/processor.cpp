@@ -6,8 +6,7 @@ namespace {
 
 constexpr char kSentence[] =
     "sonoskin: error: This processor lacks AVX2, FMA or BMI2, which processors for PCs have had since 2013; "
-    "use a newer "
-    "machine, or build the program with another -march (cmake/compile_options.cmake).\n";
+    "use a newer machine, or build the program with another -march (cmake/compile_options.cmake).\n";
 
 // Ahead of the constructors of every other file.
 __attribute__((constructor(101))) void refuseOldProcessors() {

@@ -266,8 +266,7 @@ void Pipeline::Stages::findPieces(const Way& way, double until) {
           way.results.warnings.empty() ? "" : way.results.warnings.front());
   require(way.results.points->size() > 0,
           "no surface was found: move classification.isoValue (now {:.2f}) toward the grey of the skin's "
-          "edge, or "
-          "lower surface.minClusterArea",
+          "edge, or lower surface.minClusterArea",
           way.results.isoValue);
   const auto fit = way.run.stage("fit", 0.8, fitted, way.keys.fit, [&](const Progress& p) {
     return fitSurface(*way.results.points, way.parameters.reconstruction, way.parameters.global, p);

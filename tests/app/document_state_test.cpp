@@ -53,6 +53,9 @@ TEST(DocumentState, EachHasWordsOfItsOwn) {
   std::set<std::string> texts;
   for (int s = 0; s <= int(current); ++s) texts.insert(stateText(DocumentState(s)));
   EXPECT_EQ(texts.size(), std::size_t(current) + 1);
+  EXPECT_STREQ(stateText(empty), "Waiting for a volume");
+  EXPECT_STREQ(stateText(failed), "Failed");
+  EXPECT_STREQ(stateText(current), "Up to date");
 }
 
 }  // namespace
