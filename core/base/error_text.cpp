@@ -45,9 +45,9 @@ std::string errorText(const std::exception& error) {
 
 std::string asSentence(std::string text) {
   // A file may be called by any other word.
-  static constexpr std::array<std::string_view, 18> kBeginnings{
-      "a",  "an",  "every", "for", "is",    "it",   "no",   "not",   "nothing",
-      "of", "one", "only",  "the", "there", "this", "what", "where", "which"};
+  static constexpr std::array<std::string_view, 20> kBeginnings{
+      "a",       "across", "edges", "an",   "every", "for",   "is",   "it",   "no",    "not",
+      "nothing", "of",     "one",   "only", "the",   "there", "this", "what", "where", "which"};
   const std::size_t end = text.find(' ');
   if (end != std::string::npos && std::ranges::count(kBeginnings, std::string_view(text).substr(0, end)) > 0)
     text[0] = char(text[0] - 'a' + 'A');

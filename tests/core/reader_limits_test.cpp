@@ -85,6 +85,7 @@ TEST(ErrorText, IsForPeople) {
   EXPECT_STREQ(errorText(Error("Take another file.")).c_str(), "Take another file.");
   EXPECT_EQ(errorText(Error("no surface was found")), "No surface was found.");
   EXPECT_EQ(asSentence("is the spacing right?"), "Is the spacing right?");
+  EXPECT_EQ(asSentence("edges face all ways alike"), "Edges face all ways alike.");
   EXPECT_EQ(asSentence("fifo is not an ordinary file"), "fifo is not an ordinary file.");
   for (const char* name : {"mesh.pieceIndex is 7.", "--size 8 is small.", "scan.nrrd is damaged."})
     EXPECT_EQ(asSentence(name), name);
