@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/input.h"
+#include "app/document/input.h"
 #include "core/io/mesh_reader.h"
-#include "core/mesh/mesh_distance.h"
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
+#include "core/mesh/search/mesh_distance.h"
 
 namespace sonoskin {
 namespace {

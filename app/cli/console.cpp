@@ -1,7 +1,7 @@
 #include "app/cli/console.h"
 
 #include "app/cli/streams.h"
-#include "app/input.h"
+#include "app/document/input.h"
 #include "core/base/error_text.h"
 #include "core/base/parallel.h"
 

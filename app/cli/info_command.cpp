@@ -3,14 +3,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/batch/mesh_text.h"
 #include "app/cli/commands.h"
-#include "app/input.h"
-#include "app/mesh_text.h"
+#include "app/document/input.h"
 #include "core/base/error.h"
 #include "core/io/file_formats.h"
 #include "core/io/mesh_reader.h"
 #include "core/io/volume_reader.h"
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
 
 namespace sonoskin {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/App.hpp>
 
-#include "app/input.h"
+#include "app/document/input.h"
 
 namespace sonoskin {
 

@@ -4,7 +4,7 @@
 
 #include <CLI/Error.hpp>
 
-#include "app/parameter_text.h"
+#include "app/cli/parameter_text.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/pipeline/presets.h"

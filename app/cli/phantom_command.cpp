@@ -6,7 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
-#include "app/input.h"
+#include "app/document/input.h"
 #include "core/base/version.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"

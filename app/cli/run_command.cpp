@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/batch.h"
+#include "app/batch/batch.h"
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
 #include "app/cli/mask_options.h"

@@ -3,7 +3,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "app/batch.h"
+#include "app/batch/batch.h"
 #include "render/skin/skin_pictures.h"
 
 namespace sonoskin {

@@ -9,9 +9,9 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/preset_row.h"
-#include "app/theme.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

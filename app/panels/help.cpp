@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "app/commands.h"
 #include "app/panels/panels.h"
-#include "app/theme.h"
+#include "app/widgets/theme.h"
+#include "app/workspace/commands.h"
 #include "core/base/version.h"
 
 namespace sonoskin::ui {

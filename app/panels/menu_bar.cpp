@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
-#include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "core/pipeline/face_use.h"
 
 namespace sonoskin::ui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

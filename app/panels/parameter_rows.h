@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/widgets/fields_ui.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

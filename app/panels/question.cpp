@@ -1,9 +1,9 @@
 #include <imgui.h>
 
-#include "app/commands.h"
 #include "app/panels/panels.h"
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
-#include "app/commands.h"
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
-#include "app/theme.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/commands.h"
-#include "app/crop_box.h"
+#include "app/document/crop_box.h"
 #include "app/panels/panels.h"
-#include "app/theme.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {

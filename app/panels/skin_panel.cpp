@@ -5,8 +5,8 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/skin_rows.h"
-#include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <array>
 
-#include "app/landmarks.h"
+#include "app/document/landmarks.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/preset_row.h"
-#include "app/skin_looks.h"
-#include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/skin_looks.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/widgets/fields_ui.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

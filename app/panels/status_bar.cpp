@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "app/panels/panels.h"
-#include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

@@ -2,8 +2,8 @@
 #include <imgui.h>
 
 #include "app/panels/panels.h"
-#include "app/theme.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

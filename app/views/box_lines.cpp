@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "app/crop_box.h"
-#include "app/theme.h"
+#include "app/document/crop_box.h"
 #include "app/views/projection.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

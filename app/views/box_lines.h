@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/views/pane.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

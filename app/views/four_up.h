@@ -5,7 +5,7 @@
 
 #include "app/views/slice_window.h"
 #include "app/views/space_window.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

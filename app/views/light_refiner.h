@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/worker.h"
+#include "app/document/worker.h"
 #include "core/base/hash.h"
 #include "core/skin/block_diffusion.h"
 #include "core/skin/skin_options.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <exception>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 #include "core/base/error_text.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/part_edits.h"
-#include "app/theme.h"
+#include "app/document/part_edits.h"
 #include "app/views/projection.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/views/pane.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

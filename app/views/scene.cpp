@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "app/crop_box.h"
+#include "app/document/crop_box.h"
 #include "app/views/part_tools.h"
 
 namespace sonoskin::ui {

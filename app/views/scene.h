@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/views/parts_scene.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 #include "render/gpu_mask.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_volume.h"

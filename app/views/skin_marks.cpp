@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/lamp_dial.h"
-#include "app/landmarks.h"
-#include "app/theme.h"
+#include "app/document/landmarks.h"
 #include "app/views/projection.h"
 #include "app/views/skin_scene.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
-#include "core/mesh/ray_hit.h"
+#include "app/workspace/lamp_dial.h"
+#include "core/mesh/search/ray_hit.h"
 #include "core/pipeline/face_use.h"
 #include "core/skin/scatter_profile.h"
 

@@ -3,13 +3,13 @@
 #include <glm/glm.hpp>
 
 #include "app/views/pane.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 
 // Marks over the skin view.
 
-// dialRadius: of the lamp's dial, pixels; see app/lamp_dial.h. lampPlace: the lamp's mark, from the pane's corner.
+// dialRadius: of the lamp's dial, pixels; see app/workspace/lamp_dial.h. lampPlace: the lamp's mark, from the pane's corner.
 float dialRadius(const PaneInput& pane);
 glm::vec2 lampPlace(const Workspace& workspace, const PaneInput& pane);
 // drawLamp: the movable light: far ones have rays, near ones are a lamp; those behind the surface are hollow. `near`:

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "app/skin_quality.h"
+#include "app/document/worker.h"
 #include "app/views/light_refiner.h"
-#include "app/worker.h"
-#include "app/workspace.h"
+#include "app/workspace/skin_quality.h"
+#include "app/workspace/workspace.h"
 #include "core/skin/skin_surface.h"
 #include "render/skin/skin_view.h"
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/lamp_dial.h"
-#include "app/landmarks.h"
-#include "app/theme.h"
+#include "app/document/landmarks.h"
 #include "app/views/projection.h"
 #include "app/views/skin_marks.h"
 #include "app/views/skin_scene.h"
-#include "core/mesh/ray_hit.h"
+#include "app/widgets/theme.h"
+#include "app/workspace/lamp_dial.h"
+#include "core/mesh/search/ray_hit.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "app/views/pane.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 

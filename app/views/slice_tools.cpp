@@ -1,6 +1,6 @@
 #include "app/views/slice_tools.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/crop_box.h"
+#include "app/document/crop_box.h"
 #include "app/views/pane.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 #include "render/slice_frame.h"
 
 namespace sonoskin::ui {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "core/pipeline/parameter_key.h"
 
 namespace sonoskin::ui {

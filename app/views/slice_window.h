@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "app/objects_seen.h"
 #include "app/views/pane.h"
 #include "app/views/slice_tools.h"
 #include "app/views/space_window.h"
-#include "app/workspace.h"
+#include "app/workspace/objects_seen.h"
+#include "app/workspace/workspace.h"
 #include "render/slice_view.h"
 
 namespace sonoskin::ui {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/theme.h"
 #include "app/views/box_lines.h"
 #include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
 #include "core/pipeline/parameter_key.h"
 
 namespace sonoskin::ui {

@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "app/objects_seen.h"
 #include "app/views/pane.h"
 #include "app/views/part_tools.h"
 #include "app/views/scene.h"
 #include "app/views/skin_scene.h"
 #include "app/views/skin_tools.h"
-#include "app/workspace.h"
+#include "app/workspace/objects_seen.h"
+#include "app/workspace/workspace.h"
 #include "render/gl/gpu_timer.h"
 
 namespace sonoskin::ui {

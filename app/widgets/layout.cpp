@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "app/theme.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/plot_area.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

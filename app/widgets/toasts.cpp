@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;

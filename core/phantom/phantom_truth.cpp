@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/iso/marching_cubes.h"
 #include "core/phantom/acoustics.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/phantom_geometry.h"

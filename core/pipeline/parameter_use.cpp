@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/rbf/global_basis.h"
+#include "core/rbf/global/global_basis.h"
 
 namespace sonoskin {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/pipeline/stage_keys.h"
 
-#include "core/mesh/clean.h"
+#include "core/mesh/repair/clean.h"
 #include "core/pipeline/kept_parts.h"
 #include "core/pipeline/parameter_key.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 #include "core/rbf/reconstruction_options.h"
 #include "core/surface/surface_points.h"
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "core/mesh/atlas.h"
+#include "core/mesh/atlas/atlas.h"
 
 namespace sonoskin {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 
 namespace sonoskin {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/atlas_rim.h"
+#include "core/mesh/atlas/atlas_rim.h"
 
 namespace sonoskin {
 namespace {

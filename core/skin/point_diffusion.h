@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 #include "core/skin/gaussian_sum.h"
 #include "core/skin/point_clusters.h"
 

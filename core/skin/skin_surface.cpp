@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/log.h"
-#include "core/mesh/decimate.h"
+#include "core/mesh/repair/decimate.h"
 
 namespace sonoskin {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "core/mesh/atlas.h"
-#include "core/mesh/atlas_maps.h"
+#include "core/mesh/atlas/atlas.h"
+#include "core/mesh/atlas/atlas_maps.h"
 #include "core/mesh/mesh.h"
 
 namespace sonoskin {

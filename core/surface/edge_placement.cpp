@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 #include "core/surface/skin_depth.h"
 #include "core/volume/sample.h"
 

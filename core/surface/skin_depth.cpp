@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 
 namespace sonoskin {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/parameter_text.h"
+#include "app/cli/parameter_text.h"
 #include "core/base/version.h"
 #include "core/io/mesh_writer.h"
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
 #include "core/pipeline/presets.h"
 #include "tests/app/cli_support.h"
 #include "tests/support/solids.h"

@@ -1,4 +1,4 @@
-#include "app/commands.h"
+#include "app/workspace/commands.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin {
 namespace {

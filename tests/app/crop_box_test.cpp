@@ -1,4 +1,4 @@
-#include "app/crop_box.h"
+#include "app/document/crop_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/erased_parts.h"
+#include "app/document/erased_parts.h"
 
 #include <gtest/gtest.h>
 

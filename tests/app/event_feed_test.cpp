@@ -1,4 +1,4 @@
-#include "app/event_feed.h"
+#include "app/window/event_feed.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "app/event_queue.h"
+#include "app/window/event_queue.h"
 
 #include <gtest/gtest.h>
 

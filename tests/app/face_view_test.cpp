@@ -1,4 +1,4 @@
-#include "app/face_view.h"
+#include "app/document/face_view.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/face_report.h"
+#include "app/batch/face_report.h"
 
 namespace sonoskin {
 namespace {

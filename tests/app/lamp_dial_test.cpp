@@ -1,4 +1,4 @@
-#include "app/lamp_dial.h"
+#include "app/workspace/lamp_dial.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/commands.h"
-#include "app/workspace.h"
+#include "app/workspace/commands.h"
+#include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
 namespace {

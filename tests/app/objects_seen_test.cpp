@@ -1,4 +1,4 @@
-#include "app/objects_seen.h"
+#include "app/workspace/objects_seen.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/part_edits.h"
+#include "app/document/part_edits.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/settings.h"
+#include "app/workspace/settings.h"
 #include "core/io/volume_writer.h"
 #include "core/phantom/phantom.h"
 #include "tests/app/cli_support.h"

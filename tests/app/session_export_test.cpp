@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/session.h"
+#include "app/document/session.h"
 #include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image.h"

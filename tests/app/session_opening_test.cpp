@@ -1,5 +1,5 @@
 // What a session opens, and what it says of it.
-#include "app/session.h"
+#include "app/document/session.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a session saves, and what it knows of what is not saved.
-#include "app/session.h"
+#include "app/document/session.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/io/mesh_reader.h"
-#include "core/mesh/mesh_facts.h"
+#include "core/mesh/facts/mesh_facts.h"
 #include "tests/app/session_support.h"
 
 namespace sonoskin {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "app/session.h"
+#include "app/document/session.h"
 #include "core/base/timer.h"
 
 namespace sonoskin::test {

@@ -1,5 +1,5 @@
 // What a session makes of its parameters: results that follow them, strokes, undo.
-#include "app/session.h"
+#include "app/document/session.h"
 
 #include <gtest/gtest.h>
 

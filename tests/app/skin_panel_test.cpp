@@ -6,7 +6,7 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/skin_rows.h"
-#include "app/skin_looks.h"
+#include "app/workspace/skin_looks.h"
 #include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {

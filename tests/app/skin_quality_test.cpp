@@ -1,4 +1,4 @@
-#include "app/skin_quality.h"
+#include "app/workspace/skin_quality.h"
 
 #include <gtest/gtest.h>
 

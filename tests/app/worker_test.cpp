@@ -1,4 +1,4 @@
-#include "app/worker.h"
+#include "app/document/worker.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/timer.h"
 
-#include "app/history.h"
+#include "app/document/history.h"
 #include "core/base/error.h"
 
 namespace sonoskin {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/mesh/decimate.h"
+#include "core/mesh/repair/decimate.h"
 #include "core/skin/skin_surface.h"
 #include "tests/support/meshes.h"
 

@@ -5,10 +5,10 @@
 #include <ctime>
 #include <nanoflann.hpp>
 
-#include "core/rbf/csrbf_model.h"
-#include "core/rbf/iso_surface.h"
-#include "core/rbf/lambda_fit.h"
-#include "core/rbf/thesis_centres.h"
+#include "core/rbf/compact/csrbf_model.h"
+#include "core/rbf/compact/lambda_fit.h"
+#include "core/rbf/compact/thesis_centres.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/benchmarks/point_input.h"
 
 namespace sonoskin {

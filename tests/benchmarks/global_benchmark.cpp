@@ -5,10 +5,10 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/rbf/brick.h"
-#include "core/rbf/global_fit.h"
-#include "core/rbf/global_function.h"
-#include "core/rbf/global_solver.h"
-#include "core/rbf/iso_surface.h"
+#include "core/rbf/global/global_fit.h"
+#include "core/rbf/global/global_function.h"
+#include "core/rbf/global/global_solver.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/benchmarks/phantom_input.h"
 
 namespace sonoskin {

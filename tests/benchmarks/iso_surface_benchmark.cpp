@@ -2,9 +2,9 @@
 // grid with VTK, by hand; and of the phantom's whole skin.
 #include <benchmark/benchmark.h>
 
-#include "core/rbf/brick_mesher.h"
-#include "core/rbf/csrbf_function.h"
-#include "core/rbf/iso_surface.h"
+#include "core/rbf/compact/csrbf_function.h"
+#include "core/rbf/surface/brick_mesher.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/benchmarks/point_input.h"
 #include "tests/support/synthetic_points.h"
 

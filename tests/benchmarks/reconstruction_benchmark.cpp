@@ -3,10 +3,10 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/components.h"
-#include "core/mesh/marching_cubes.h"
-#include "core/mesh/mesh_distance.h"
-#include "core/rbf/csrbf_model.h"
-#include "core/rbf/iso_surface.h"
+#include "core/mesh/iso/marching_cubes.h"
+#include "core/mesh/search/mesh_distance.h"
+#include "core/rbf/compact/csrbf_model.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/benchmarks/point_input.h"
 
 namespace sonoskin {

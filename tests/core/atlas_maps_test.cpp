@@ -1,4 +1,4 @@
-#include "core/mesh/atlas_maps.h"
+#include "core/mesh/atlas/atlas_maps.h"
 
 #include <gtest/gtest.h>
 

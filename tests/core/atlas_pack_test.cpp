@@ -1,4 +1,4 @@
-#include "core/mesh/atlas_pack.h"
+#include "core/mesh/atlas/atlas_pack.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/atlas.h"
+#include "core/mesh/atlas/atlas.h"
 
 #include <gtest/gtest.h>
 

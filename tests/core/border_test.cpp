@@ -1,4 +1,4 @@
-#include "core/mesh/border.h"
+#include "core/mesh/repair/border.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/mesh/clip.h"
 #include "core/mesh/components.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
+#include "core/mesh/repair/clip.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

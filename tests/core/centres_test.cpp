@@ -1,4 +1,4 @@
-#include "core/rbf/centres.h"
+#include "core/rbf/compact/centres.h"
 
 #include <gtest/gtest.h>
 

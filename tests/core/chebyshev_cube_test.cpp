@@ -1,4 +1,4 @@
-#include "core/rbf/chebyshev_cube.h"
+#include "core/rbf/global/chebyshev_cube.h"
 
 #include <gtest/gtest.h>
 

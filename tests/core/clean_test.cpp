@@ -1,11 +1,11 @@
-#include "core/mesh/clean.h"
+#include "core/mesh/repair/clean.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/mesh/components.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/half_edges.h"
-#include "core/mesh/mesh_check.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

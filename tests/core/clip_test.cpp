@@ -1,4 +1,4 @@
-#include "core/mesh/clip.h"
+#include "core/mesh/repair/clip.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/iso/marching_cubes.h"
 
 namespace sonoskin {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/rbf/csrbf_function.h"
+#include "core/rbf/compact/csrbf_function.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/rbf/csrbf_model.h"
+#include "core/rbf/compact/csrbf_model.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/rbf/centres.h"
+#include "core/rbf/compact/centres.h"
 #include "tests/support/synthetic_points.h"
 
 namespace sonoskin {

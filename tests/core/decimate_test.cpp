@@ -1,4 +1,4 @@
-#include "core/mesh/decimate.h"
+#include "core/mesh/repair/decimate.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/half_edges.h"
-#include "core/mesh/mesh_check.h"
-#include "core/mesh/self_intersections.h"
+#include "core/mesh/search/self_intersections.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

@@ -1,4 +1,4 @@
-#include "core/mesh/fill_holes.h"
+#include "core/mesh/repair/fill_holes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/mesh/components.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/half_edges.h"
-#include "core/mesh/mesh_check.h"
-#include "core/mesh/self_intersections.h"
+#include "core/mesh/search/self_intersections.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

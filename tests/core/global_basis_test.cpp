@@ -1,4 +1,4 @@
-#include "core/rbf/global_basis.h"
+#include "core/rbf/global/global_basis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/rbf/global_fgmres.h"
+#include "core/rbf/global/global_fgmres.h"
 
 #include <gtest/gtest.h>
 

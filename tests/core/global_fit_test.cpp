@@ -1,4 +1,4 @@
-#include "core/rbf/global_fit.h"
+#include "core/rbf/global/global_fit.h"
 
 #include <gtest/gtest.h>
 

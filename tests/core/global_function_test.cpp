@@ -1,16 +1,16 @@
-#include "core/rbf/global_function.h"
+#include "core/rbf/global/global_function.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_check.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/facts/mesh_check.h"
+#include "core/mesh/search/point_grid.h"
 #include "core/rbf/brick.h"
-#include "core/rbf/global_block.h"
-#include "core/rbf/global_fit.h"
-#include "core/rbf/iso_surface.h"
+#include "core/rbf/global/global_block.h"
+#include "core/rbf/global/global_fit.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/support/global_sites.h"
 #include "tests/support/synthetic_points.h"
 
@@ -29,7 +29,7 @@ std::shared_ptr<const GlobalRbf> sphereModel(GlobalBasis basis = GlobalBasis::bi
   return std::make_shared<const GlobalRbf>(fitGlobal(spherePoints(1000, 20, 0.1), throughAll(basis)));
 }
 
-// The tolerance that core/rbf/global_block.h states, beside the direct sum, on bricks around the surface.
+// The tolerance that core/rbf/global/global_block.h states, beside the direct sum, on bricks around the surface.
 TEST(GlobalFunction, EqualsTheDirectSum) {
   const float cell = 0.15f;
   for (const GlobalBasis b : test::kAllBases) {

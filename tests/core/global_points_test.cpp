@@ -1,4 +1,4 @@
-#include "core/rbf/global_points.h"
+#include "core/rbf/global/global_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/rbf/global_polynomial.h"
+#include "core/rbf/global/global_polynomial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/rbf/global_solver.h"
+#include "core/rbf/global/global_solver.h"
 
 #include <gtest/gtest.h>
 

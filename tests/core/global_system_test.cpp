@@ -1,4 +1,4 @@
-#include "core/rbf/global_system.h"
+#include "core/rbf/global/global_system.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

@@ -1,4 +1,4 @@
-#include "core/rbf/iso_surface.h"
+#include "core/rbf/surface/iso_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/marching_cubes.h"
-#include "core/mesh/mesh_check.h"
-#include "core/mesh/point_grid.h"
-#include "core/rbf/brick_mesher.h"
-#include "core/rbf/csrbf_function.h"
+#include "core/mesh/facts/mesh_check.h"
+#include "core/mesh/iso/marching_cubes.h"
+#include "core/mesh/search/point_grid.h"
+#include "core/rbf/compact/csrbf_function.h"
+#include "core/rbf/surface/brick_mesher.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_points.h"
 

@@ -1,4 +1,4 @@
-#include "core/rbf/lambda_fit.h"
+#include "core/rbf/compact/lambda_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/rbf/centres.h"
+#include "core/rbf/compact/centres.h"
 #include "tests/support/synthetic_points.h"
 
 namespace sonoskin {

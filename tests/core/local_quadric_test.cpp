@@ -1,4 +1,4 @@
-#include "core/rbf/local_quadric.h"
+#include "core/rbf/compact/local_quadric.h"
 
 #include <gtest/gtest.h>
 

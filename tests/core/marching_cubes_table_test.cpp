@@ -1,4 +1,4 @@
-#include "core/mesh/marching_cubes_table.h"
+#include "core/mesh/iso/marching_cubes_table.h"
 
 #include <gtest/gtest.h>
 

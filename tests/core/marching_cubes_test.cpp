@@ -1,4 +1,4 @@
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/iso/marching_cubes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 
 namespace sonoskin {
 namespace {

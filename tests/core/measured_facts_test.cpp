@@ -1,10 +1,10 @@
-#include "core/mesh/measured_facts.h"
+#include "core/mesh/facts/measured_facts.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/mesh/clip.h"
+#include "core/mesh/repair/clip.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_distance.h"
+#include "core/mesh/search/mesh_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/marching_cubes.h"
-#include "core/mesh/triangle_tree.h"
+#include "core/mesh/iso/marching_cubes.h"
+#include "core/mesh/search/triangle_tree.h"
 
 namespace sonoskin {
 namespace {

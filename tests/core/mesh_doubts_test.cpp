@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
 
 #include <gtest/gtest.h>
 

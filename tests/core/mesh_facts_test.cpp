@@ -1,4 +1,4 @@
-#include "core/mesh/mesh_facts.h"
+#include "core/mesh/facts/mesh_facts.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/mesh/mesh_doubts.h"
+#include "core/mesh/facts/mesh_doubts.h"
 #include "core/skin/block_diffusion.h"
 #include "core/skin/surface_samples.h"
 #include "core/skin/triangle_lattice.h"

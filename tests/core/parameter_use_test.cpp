@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/classification/classify.h"
-#include "core/rbf/csrbf_model.h"
+#include "core/rbf/compact/csrbf_model.h"
 #include "tests/support/synthetic_points.h"
 #include "tests/support/test_volumes.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/components.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/parts/keep_parts.h"
 #include "core/mesh/parts/split_part.h"
 #include "core/mesh/parts/watershed.h"

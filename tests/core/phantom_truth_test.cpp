@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/mesh_check.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {

@@ -1,4 +1,4 @@
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/print_solid.h"
+#include "core/mesh/print/print_solid.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/components.h"
+#include "core/mesh/facts/mesh_facts.h"
 #include "core/mesh/half_edges.h"
-#include "core/mesh/mesh_facts.h"
-#include "core/mesh/triangle_tree.h"
+#include "core/mesh/search/triangle_tree.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/meshes.h"
 

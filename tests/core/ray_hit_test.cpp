@@ -1,4 +1,4 @@
-#include "core/mesh/ray_hit.h"
+#include "core/mesh/search/ray_hit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/self_intersections.h"
+#include "core/mesh/search/self_intersections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/smooth.h"
+#include "core/mesh/repair/smooth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/half_edges.h"
-#include "core/mesh/mesh_check.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {

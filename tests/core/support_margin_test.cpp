@@ -1,4 +1,4 @@
-#include "core/rbf/support_margin.h"
+#include "core/rbf/surface/support_margin.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "core/rbf/support_size.h"
+#include "core/rbf/compact/support_size.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "core/rbf/centres.h"
-#include "core/rbf/csrbf_model.h"
+#include "core/rbf/compact/centres.h"
+#include "core/rbf/compact/csrbf_model.h"
 #include "tests/support/synthetic_points.h"
 
 namespace sonoskin {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/meshes.h"
 #include "tests/support/skin_tables.h"

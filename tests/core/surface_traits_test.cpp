@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/atlas_maps.h"
+#include "core/mesh/atlas/atlas_maps.h"
 #include "core/mesh/surface_curvature.h"
 #include "tests/support/meshes.h"
 

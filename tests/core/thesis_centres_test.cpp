@@ -1,4 +1,4 @@
-#include "core/rbf/thesis_centres.h"
+#include "core/rbf/compact/thesis_centres.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/rbf/basis.h"
-#include "core/rbf/lambda_fit.h"
+#include "core/rbf/compact/lambda_fit.h"
 #include "tests/support/synthetic_points.h"
 
 namespace sonoskin {

@@ -1,5 +1,5 @@
 // The window's settings: any file gives settings that can be used and written again.
-#include "app/settings.h"
+#include "app/workspace/settings.h"
 
 #include "tests/fuzz/fuzz_input.h"
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "core/rbf/global_polynomial.h"
-#include "core/rbf/global_solver.h"
+#include "core/rbf/global/global_polynomial.h"
+#include "core/rbf/global/global_solver.h"
 
 namespace sonoskin::test {
 

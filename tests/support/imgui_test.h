@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {

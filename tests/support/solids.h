@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "core/mesh/marching_cubes.h"
+#include "core/mesh/iso/marching_cubes.h"
 
 namespace sonoskin::test {
 

@@ -11,6 +11,10 @@ LAYERS = {"core": 0, "render": 1, "app": 2}
 # Inside core a folder may include itself and folders of a lower rank; equal ranks do not know each other.
 RANKS = {"base": 0, "volume": 1, "mesh": 2, "io": 3, "phantom": 3, "enhancement": 3, "classification": 3, "surface": 3, "rbf": 4, "face": 4,
          "skin": 4, "pipeline": 5}
+# The same for rooms inside a folder; "" is what lies in the folder itself.
+ROOMS = {"core/mesh": {"": 0, "iso": 1, "search": 1, "facts": 2, "atlas": 2, "repair": 3, "parts": 4, "print": 4},
+         "core/rbf": {"": 0, "compact": 1, "global": 1, "surface": 2},
+         "app": {"document": 0, "widgets": 0, "workspace": 1, "views": 2, "panels": 2, "batch": 1, "window": 3, "cli": 4, "": 5}}
 # Libraries and the one place that may see each.
 LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
              (re.compile(r"glad/|GL/|EGL/"), re.compile(r"render/")),
@@ -18,6 +22,20 @@ LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
 LONGEST = 400
 FOLDERS = {".ci", "app", "assets", "cmake", "core", "render", "shaders", "tests"}
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def room(folder, name):
+    """The room of a file of the folder, None of any other file."""
+    inner = name.removeprefix(folder + "/")
+    return None if inner == name else inner.split("/")[0] if "/" in inner else ""
+
+
+def upward(name, target):
+    """What is wrong with an include from a room to another of the same folder that does not lie below it."""
+    for folder, ranks in ROOMS.items():
+        here, there = room(folder, name), room(folder, target)
+        if None not in (here, there) and here != there and ranks.get(there, 99) >= ranks.get(here, -1):
+            yield f"{folder}/{here} must not know {folder}/{there}"
 
 
 def faults(name, lines):
@@ -35,6 +53,8 @@ def faults(name, lines):
         if parts[0] == to[0] == "core" and parts[1] != to[1]:
             if RANKS.get(to[1], 99) >= RANKS.get(parts[1], -1):
                 yield f"{where}: core/{parts[1]} must not know core/{to[1]}"
+        for fault in upward(name, target):
+            yield f"{where}: {fault}"
         for library, home in LIBRARIES:
             if library.match(target) and not home.match(name):
                 yield f"{where}: only {home.pattern} may see this library"

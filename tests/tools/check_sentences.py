@@ -44,7 +44,7 @@ def wrong(sentence):
 
 
 def main():
-    files = [*ROOT.glob("core/io/*.cpp"), *ROOT.glob("app/cli/*.cpp"), *ROOT.glob("app/*.cpp"),
+    files = [*ROOT.glob("core/io/*.cpp"), *ROOT.glob("app/**/*.cpp"),
              ROOT / "core/base/error_text.cpp"]
     faults, count = [], 0
     for file in sorted(files):

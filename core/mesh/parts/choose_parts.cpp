@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 #include "core/mesh/view_shares.h"
 
 namespace sonoskin {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/clip.h"
+#include "core/mesh/repair/clip.h"
 #include "core/mesh/vertex_rings.h"
 
 namespace sonoskin {

@@ -1,5 +1,5 @@
 // The parts of the surface with the real mouse: clicks, a line, undo, Escape.
-#include "app/part_edits.h"
+#include "app/document/part_edits.h"
 #include "app/views/projection.h"
 #include "render/gl/context.h"
 #include "tests/app/window/window_driver.h"

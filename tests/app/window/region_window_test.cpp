@@ -1,4 +1,4 @@
-#include "app/crop_box.h"
+#include "app/document/crop_box.h"
 #include "render/gl/context.h"
 #include "tests/app/window/window_driver.h"
 

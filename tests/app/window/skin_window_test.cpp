@@ -1,5 +1,5 @@
 // The skin view with the real mouse: the look, the lamp, the halves, landmarks.
-#include "app/landmarks.h"
+#include "app/document/landmarks.h"
 #include "render/gl/context.h"
 #include "tests/app/window/window_driver.h"
 

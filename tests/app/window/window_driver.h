@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "app/application.h"
 #include "app/widgets/widget_rects.h"
+#include "app/window/application.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "core/mesh/triangle_tree.h"
+#include "core/mesh/search/triangle_tree.h"
 #include "core/phantom/body_part.h"
 #include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom_options.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/mesh/mesh_distance.h"
-#include "core/rbf/iso_surface.h"
+#include "core/mesh/search/mesh_distance.h"
+#include "core/rbf/surface/iso_surface.h"
 #include "tests/benchmarks/accuracy/clouds.h"
 #include "tests/benchmarks/accuracy/levels.h"
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/mesh/half_edges.h"
-#include "core/mesh/point_grid.h"
+#include "core/mesh/search/point_grid.h"
 
 namespace sonoskin::accuracy {
 

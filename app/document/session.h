@@ -1,0 +1,198 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document/document_state.h"
+#include "app/document/erased_parts.h"
+#include "app/document/history.h"
+#include "app/document/worker.h"
+#include "core/io/image.h"
+#include "core/io/textured_mesh_writer.h"
+#include "core/pipeline/parameters.h"
+#include "core/pipeline/runner.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// Message: how something ended that the person asked for. Notes and warnings about the data are logged (core/base/log.h).
+struct Message {
+  enum class Kind { note, failure };
+  Kind kind = Kind::note;
+  std::string text;  // one sentence
+};
+
+// Activity: what goes on in the background.
+struct Activity {
+  bool busy = false;
+  bool blocking = false;  // the person waits for it (opening, reconstruction, saving), not just a live update
+  double fraction = 0;
+  std::string what;
+};
+
+// Session: the document: a scan, its parameters with their history, and what was made of them. It keeps the
+// results up to date in the background: after every change first a coarse classification, then the full one,
+// then the surface points, and once there was a surface that too. Knows no interface and no OpenGL.
+//   threads  one; nothing here waits
+class Session {
+ public:
+  explicit Session(const Parameters& parameters);
+
+  // Opening. The present document stays until the new one is there. Landmarks belong to a scan's own face: another
+  // scan has none, the phantom brings its own.
+  void openFile(const std::filesystem::path& path);
+  void openPhantom();
+  // givesSpacing: whether the scan's own file does; otherwise scan.spacing is its spacing.
+  bool givesSpacing() const { return givesSpacing_; }
+  bool hasScan() const { return scan_.volume != nullptr; }
+  const Scan& scan() const { return scan_; }
+  Beam beam() const { return beamOf(scan_, parameters_.scan); }
+  const std::string& name() const { return name_; }
+
+  // Parameters. edit() is what a slider does while it moves; commitEdit() when it is let go makes the step
+  // that undo() takes back.
+  const Parameters& parameters() const { return parameters_; }
+  void edit(const Parameters& parameters);
+  void commitEdit();
+  // editParts: other parts of the surface, as one step for undo; the mesh follows whatever followsParameters() says.
+  void editParts(const MeshOptions& mesh);
+  bool canUndo() const { return history_.canUndo(); }
+  bool canRedo() const { return history_.canRedo(); }
+  void undo();
+  void redo();
+  void loadRecipe(const std::filesystem::path& path);
+
+  // Erasing. erase() is what the eraser does while it moves; commitEdit() when it is let go makes the step that
+  // undo() takes back. Loading and clearing are steps of their own.
+  const ErasedParts& erased() const { return erased_; }
+  void erase(const Brush& brush);
+  void clearErased();
+  void loadErased(const std::filesystem::path& path);
+  void saveErased(const std::filesystem::path& path);
+
+  // state: see DocumentState. resume() goes on where the person stopped.
+  DocumentState state() const;
+  void resume();
+
+  // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
+  const Results& results() const { return results_; }
+  bool meshIsCurrent() const;
+  // warnings: why the surface may not be skin, or not in mm; a sentence each. Each is logged once, and again when
+  // reconstruct() was asked for.
+  const std::vector<std::string>& warnings() const { return results_.warnings; }
+  // face: where the face is, if it is certain; else null.
+  const FaceFit* face() const;
+  // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
+  bool meshIsFinal() const { return results_.mesh && made_.isFinal; }
+  // Whether the mesh, once there is one, is made again when parameters change.
+  bool followsParameters() const { return follows_; }
+  void followParameters(bool follow);
+  bool classifiedIsCoarse() const;
+  double meshArea() const { return meshArea_; }  // mm^2
+  void reconstruct();
+  void cancel();
+
+  // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json"): the one that makes the same surface again, even
+  // where the parameters have changed since it was made. A surface that is older than them, or not final, is saved with a
+  // warning.
+  void saveMesh(const std::filesystem::path& path);
+  // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
+  void savePrint(const std::filesystem::path& path);
+  // saveSkin, savePicture: `make` is called in the background.
+  //   showsMesh  whether the picture is one of the mesh
+  void saveSkin(const std::filesystem::path& path, std::function<TexturedMesh()> make);
+  void savePicture(const std::filesystem::path& path, std::function<Image()> make, bool showsMesh);
+  void saveRecipe(const std::filesystem::path& path);
+  // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
+  bool hasUnsavedWork() const;
+  // proposedName: a neutral name with an ending; the scan's own may be a patient's.
+  std::string proposedName(const std::string& ending) const;
+
+  // poll: takes in what the background has made; true when anything of the above has changed. Once a frame.
+  bool poll();
+  Activity activity() const;
+  bool saving() const { return saver_.status().busy; }
+  std::vector<Message> takeMessages();
+  // revision: grows whenever the scan or the results change; reconstructions: whenever a mesh that was asked for arrives.
+  std::uint64_t revision() const { return revision_; }
+  std::uint64_t reconstructions() const { return reconstructions_; }
+
+ private:
+  // Opened: a scan, what it is called, and where the parts of its face are, if that is known.
+  struct Opened {
+    Scan scan;
+    std::string name;
+    LandmarkOptions landmarks{};
+    bool givesSpacing = true;
+    bool isAnother = true;                    // not the one that is open, with another spacing
+    std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
+  };
+  // MeshOrigin: what a surface was made from: all that its recipe needs.
+  struct MeshOrigin {
+    Parameters parameters;
+    std::shared_ptr<const Volume<std::uint8_t>> erased;
+    Key mesh;
+    bool isFinal = false;
+    Key key() const { return Hasher("origin").add(mesh).add(isFinal).key(); }
+  };
+  void adopt(Opened opened);
+  void takeRecipe(const std::string& text);
+  // make: fills in what is opened, in the background
+  void open(const std::string& label, Opened opened, std::function<void(Opened&, const Progress&)> make);
+  void save(const std::filesystem::path& path, const std::string& recipe,
+            std::function<void(const Progress&)> write, std::function<void()> saved = {});
+  // saved: called on this thread when all is written
+  void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write,
+                 std::function<void()> saved = {});
+  void show(const Parameters& parameters);
+  void showVersion();
+  void respace();
+  StageKeys currentKeys() const;
+  Parameters recipeParameters() const;
+  Parameters shownParameters() const;
+  std::string recipeOfMesh(const Parameters& parameters) const;
+  std::string recipeNow();
+  void warnOfMesh();
+  void update(Goal goal);
+  void submit(Goal goal);
+  bool mayFollow() const;
+  void takeResults();
+  void finishRequest();
+  void tellWarnings(const std::vector<std::string>& warnings, bool again);
+  void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
+
+  // Version: what undo goes back to.
+  struct Version {
+    Parameters parameters;
+    std::size_t strokes = 0;  // of the eraser
+  };
+
+  Scan scan_;
+  std::string name_;
+  bool givesSpacing_ = true;
+  std::optional<PhantomOptions> phantom_;  // of the scan, where it is simulated
+  Parameters parameters_;
+  ErasedParts erased_;
+  History<Version> history_;
+  Results results_;
+  MeshOrigin made_;              // of results_.mesh
+  Key savedMesh_, savedErased_;  // of what was saved last
+  bool follows_ = true;
+  std::optional<Goal> request_;  // what the runner works on
+  MeshOrigin requested_;         // from what
+  std::optional<Goal> stopped_;  // what the person ended
+  bool failed_ = false;          // whether the last request did
+  bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
+  std::optional<Goal> delayed_;  // what to submit when it has
+  double meshArea_ = 0;
+  std::uint64_t revision_ = 0, reconstructions_ = 0;
+  std::vector<Message> messages_;
+  std::vector<std::string> warned_;  // what was said of this document
+  Worker opener_, saver_;
+  Runner runner_;
+};
+
+}  // namespace sonoskin

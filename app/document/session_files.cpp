@@ -1,0 +1,231 @@
+// The session's files: opening and saving, in the background.
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/document/input.h"
+#include "app/document/session.h"
+#include "core/base/error.h"
+#include "core/base/log.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/file_formats.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/volume_reader.h"
+#include "core/io/volume_writer.h"
+#include "core/mesh/print/print_solid.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/phantom_landmarks.h"
+#include "core/pipeline/recipe.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+
+// ---- opening
+
+void Session::open(const std::string& label, Opened opened,
+                   std::function<void(Opened&, const Progress&)> make) {
+  const auto made = std::make_shared<Opened>(std::move(opened));
+  opener_.replace({label, [made, make = std::move(make)](const Progress& progress) { make(*made, progress); },
+                   [this, made] { adopt(std::move(*made)); }});
+}
+
+// A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next.
+void Session::openFile(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const std::array<double, 3> spacing = hasScan() ? ScanOptions().spacing : parameters_.scan.spacing;
+  open("Opening " + name, {{}, name}, [path, spacing](Opened& opened, const Progress& progress) {
+    opened.scan = readScan(path, progress);
+    opened.givesSpacing = opened.scan.spacingKnown;
+    if (!opened.givesSpacing) setSpacing(opened.scan, spacing);
+    warnOfSpacing(opened.scan);
+  });
+}
+
+void Session::openPhantom() {
+  Opened opened{{}, "Phantom", phantomLandmarks(parameters_.phantom)};
+  opened.phantom = parameters_.phantom;
+  open("Simulating the phantom", std::move(opened),
+       [](Opened& made, const Progress& progress) { made.scan = makePhantomScan(*made.phantom, progress); });
+}
+
+// The spacing of a scan whose file gives none is a parameter like others; another one makes it another scan.
+void Session::respace() {
+  const std::array<double, 3>& spacing = parameters_.scan.spacing;
+  if (!hasScan() || givesSpacing_ || isSpaced(scan_, spacing)) return;
+  Opened opened{scan_, name_};
+  opened.givesSpacing = opened.isAnother = false;
+  open("Setting the spacing", std::move(opened),
+       [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
+}
+
+// Read twice: what is wrong with it is found aside, and what was moved meanwhile stays where the recipe does not name it.
+void Session::loadRecipe(const fs::path& path) {
+  const auto text = std::make_shared<std::string>();
+  opener_.append({"Opening " + path.filename().string(),
+                  [text, path, parameters = parameters_](const Progress&) mutable {
+                    *text = readText(path, kMostRecipeBytes);
+                    readRecipe(*text, parameters);
+                  },
+                  [this, text] { takeRecipe(*text); }});
+}
+
+// What a recipe erases is erased of its own scan alone.
+void Session::takeRecipe(const std::string& text) {
+  Parameters read = parameters_;
+  const RecipeInput input = readRecipe(text, read);
+  if (const auto erased = erasedIn(input, scan_)) erased_.become(*erased);
+  show(read);
+  commitEdit();
+}
+
+void Session::loadErased(const fs::path& path) {
+  require(hasScan(), "There is no volume to erase from; open it first.");
+  const auto read = std::make_shared<Scan>(scan_);
+  opener_.replace({"Opening " + path.filename().string(),
+                   [read, path](const Progress& progress) { setErased(*read, readMarks(path, progress)); },
+                   [this, read] {
+                     erased_.become(*read->erased);
+                     show(parameters_);
+                     commitEdit();
+                   }});
+}
+
+void Session::saveErased(const fs::path& path) {
+  require(erased_.voxels() > 0, "Nothing is erased that could be saved; erase something first.");
+  saveAlone(
+      path,
+      [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
+        writeVolume(path, *mask, beam, progress);
+      },
+      [this, key = erased_.key()] { savedErased_ = key; });
+}
+
+// ---- saving
+
+namespace {
+
+// Whether a file is a recipe, which a new one may replace.
+bool isRecipe(const fs::path& file) try {
+  const nlohmann::json root = nlohmann::json::parse(readText(file), nullptr, false);
+  return root.is_object() && root.contains("sonoskin");
+} catch (const Error&) {
+  return false;
+}
+
+}  // namespace
+
+void Session::saveAlone(const fs::path& path, std::function<void(const Progress&)> write,
+                        std::function<void()> saved) {
+  saver_.append(
+      {"Saving " + path.filename().string(), std::move(write), [this, path, saved = std::move(saved)] {
+         if (saved) saved();
+         report(Message::Kind::note, "Saved " + path.string());
+       }});
+}
+
+bool Session::hasUnsavedWork() const {
+  const bool hasSurface = results_.mesh && reconstructions_ > 0;
+  return (hasSurface && !(made_.key() == savedMesh_)) ||
+         (erased_.voxels() > 0 && !(erased_.key() == savedErased_));
+}
+
+void Session::save(const fs::path& path, const std::string& recipe,
+                   std::function<void(const Progress&)> write, std::function<void()> saved) {
+  saveAlone(
+      path,
+      [path, recipe, write = std::move(write)](const Progress& progress) {
+        write(progress);
+        const fs::path beside = fs::path(path).replace_extension(".recipe.json");
+        if (std::error_code code; fs::exists(beside, code) && !isRecipe(beside))
+          throw Error(
+              fmt::format(
+                  "{} is saved, but its recipe is not, for {} is something else; choose another name.",
+                  path.filename().string(), beside.filename().string()),
+              Error::Kind::system);
+        writeBytes(beside, recipe.data(), recipe.size());
+      },
+      std::move(saved));
+}
+
+// A volume's own name may be a patient's.
+std::string Session::proposedName(const std::string& ending) const { return "surface" + ending; }
+
+// The parameters, with those of the simulation that the scan at hand was made with.
+Parameters Session::recipeParameters() const {
+  Parameters parameters = parameters_;
+  if (phantom_) parameters.phantom = *phantom_;
+  return parameters;
+}
+
+std::string Session::recipeOfMesh(const Parameters& parameters) const {
+  return writeRecipe(parameters, scan_.key, made_.erased.get());
+}
+
+void Session::warnOfMesh() {
+  if (!meshIsCurrent())
+    log(LogLevel::warning,
+        "The surface that is saved is older than the parameters; the recipe beside it has its own.");
+  if (!meshIsFinal())
+    log(LogLevel::warning,
+        "The surface that is saved was made with short cuts while the parameters moved; reconstruct it, and "
+        "save "
+        "it again, for one that its recipe repeats.");
+}
+
+void Session::saveMesh(const fs::path& path) {
+  require(results_.mesh != nullptr, "There is no surface to save yet; reconstruct it first.");
+  warnOfMesh();
+  save(
+      path, recipeOfMesh(made_.parameters),
+      [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
+      [this, key = made_.key()] { savedMesh_ = key; });
+}
+
+void Session::savePrint(const fs::path& path) {
+  require(results_.mesh != nullptr, "There is no surface to print yet; reconstruct it first.");
+  requireFormat(FileKind::printedMesh, path);
+  warnOfMesh();
+  Parameters parameters = made_.parameters;
+  parameters.print = parameters_.print;
+  PrintOptions& options = parameters.print;
+  if (options.form == PrintForm::none) options.form = PrintForm::shell;
+  save(path, recipeOfMesh(parameters), [path, options, mesh = results_.mesh](const Progress& progress) {
+    writeMesh(path, makePrintSolid(*mesh, options, progress.part(0, 0.9)), progress.part(0.9, 1));
+  });
+}
+
+// What is shown of a surface: itself as it was made, in the present light.
+Parameters Session::shownParameters() const {
+  Parameters parameters = made_.parameters;
+  parameters.skin = parameters_.skin;
+  parameters.light = parameters_.light;
+  parameters.landmarks = parameters_.landmarks;
+  return parameters;
+}
+
+void Session::saveSkin(const fs::path& path, std::function<TexturedMesh()> make) {
+  warnOfMesh();
+  save(path, recipeOfMesh(shownParameters()), [path, make = std::move(make)](const Progress& progress) {
+    writeTexturedMesh(path, make(), progress.part(0.5, 1));
+  });
+}
+
+void Session::savePicture(const fs::path& path, std::function<Image()> make, bool showsMesh) {
+  const std::string recipe = showsMesh ? recipeOfMesh(shownParameters()) : recipeNow();
+  save(path, recipe, [path, make = std::move(make)](const Progress&) { writePng(path, make()); });
+}
+
+std::string Session::recipeNow() {
+  return writeRecipe(recipeParameters(), scan_.key, erased_.snapshot().get());
+}
+
+void Session::saveRecipe(const fs::path& path) {
+  saveAlone(path, [path, recipe = recipeNow()](const Progress&) {
+    writeBytes(path, recipe.data(), recipe.size());
+  });
+}
+
+}  // namespace sonoskin

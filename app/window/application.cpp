@@ -1,0 +1,206 @@
+#include "app/window/application.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
+#include "app/widgets/theme.h"
+#include "app/workspace/commands.h"
+#include "core/base/error.h"
+#include "core/base/error_text.h"
+#include "core/base/log.h"
+#include "render/gl/context.h"
+
+namespace sonoskin {
+namespace {
+
+constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0.3;
+
+}  // namespace
+
+Application::Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters)
+    : settings_(readSettings(settingsFile())),
+      window_("Sonoskin", {settings_.width, settings_.height}),
+      workspace_(parameters) {
+  gl::loadGl(glfwGetProcAddress);
+  workspace_.glInfo = gl::glInfo();
+  workspace_.settings = settings_;
+  if (file) {
+    workspace_.open(*file);
+  } else {
+    workspace_.session.openPhantom();
+  }
+}
+
+Application::~Application() {
+  attempt([this] {
+    const glm::vec2 size = glm::vec2(window_.size()) / window_.contentScale();
+    workspace_.settings.width = static_cast<int>(size.x);
+    workspace_.settings.height = static_cast<int>(size.y);
+    writeSettings(settingsFile(), workspace_.settings);
+  });
+}
+
+bool Application::attempt(const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    workspace_.toasts.add(errorText(error), true);
+  }
+  return false;
+}
+
+double Application::waitSeconds() const {
+  double seconds = workspace_.session.activity().busy ? kBusySeconds : kIdleSeconds;
+  if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, kTextCursorSeconds);
+  for (const double wanted : {viewsWant_, toastsWant_}) {
+    if (wanted >= 0) seconds = std::min(seconds, wanted);
+  }
+  return seconds;
+}
+
+bool Application::frame() {
+  const bool busy = workspace_.session.activity().busy;
+  const bool event = window_.waitForFrame(waitSeconds());
+  bool arrived = false;
+  attempt([&] { arrived = workspace_.session.poll(); });
+  arrived |= log_.waiting();
+  if (arrived) window_.requestFrames();
+  const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
+  if (event || arrived || due) draw();
+  if (window_.closeRequested()) attempt([this] { answerClosing(); });
+  return !workspace_.quit || workspace_.session.saving();
+}
+
+void Application::answerClosing() {
+  window_.keepOpen();  // until the question is answered, where there is one
+  window_.requestFrames();
+  workspace_.carefully("Quitting", [this] { workspace_.quit = true; });
+}
+
+// Keys are looked at when their frame has begun: whether a text field takes them is known only then.
+void Application::takeInput(const std::optional<Event>& event) {
+  for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
+  if (!event || event->kind != Event::Kind::key || !event->down) return;
+  const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
+  if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);
+}
+
+void Application::updateDocument() {
+  Session& session = workspace_.session;
+  for (const Message& message : session.takeMessages())
+    workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+  for (const LogEntry& entry : log_.take()) {
+    if (entry.level == LogLevel::warning)
+      workspace_.toasts.warn(entry.sentence);
+    else
+      workspace_.toasts.add(entry.sentence, false);
+  }
+  const Scan& scan = session.scan();
+  if (shownVolume_.see({scan.volume})) {
+    workspace_.view.content = SpaceContent::volume;
+    workspace_.typedSpacing = scan.volume->geometry.spacing;
+    resetView(workspace_.view, scan, session.beam());
+  }
+  if (shownPoints_.see({session.results().points})) {
+    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtStart();
+  }
+  if (session.reconstructions() != reconstructions_) {
+    reconstructions_ = session.reconstructions();
+    workspace_.view.content = SpaceContent::mesh;
+    if (!workspace_.view.cameraMoved) workspace_.lookAtStart();
+  }
+  const std::string title = session.hasScan() ? session.name() + " - Sonoskin" : "Sonoskin";
+  if (title != title_) window_.setTitle(title_ = title);
+}
+
+void Application::draw() {
+  const auto isAsking = [this] { return workspace_.files.purpose || workspace_.question; };
+  const bool asked = isAsking();
+  std::optional<Event> event;
+  const bool begun = attempt([&] {
+    if (atFrame && !window_.eventsWait()) atFrame();
+    event = window_.beginFrame();
+  });
+  if (!begun) return;
+  workspace_.view.catchingUp = window_.eventsWait();
+  attempt([&] { takeInput(event); });
+  attempt([this] { updateDocument(); });
+  attempt([this] { drawInterface(); });
+  if (isAsking() && !asked) window_.settle();
+  // An error may have left windows and groups open.
+  ImGui::ErrorCheckEndFrameRecover(nullptr);
+  attempt([this] {
+    gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
+    window_.endFrame();
+  });
+  if (!workspace_.view.catchingUp) lookForGlErrors();
+}
+
+// Each frame may have the same: one sentence is enough.
+void Application::lookForGlErrors() {
+  gl::pollErrors();
+  if (glErrorTold_ || gl::glErrorCount() == 0) return;
+  glErrorTold_ = true;
+  log(LogLevel::warning, fmt::format("The graphics driver reports an error ({}), so that pictures may be "
+                                     "wrong; a newer driver may help.",
+                                     gl::lastGlError()));
+}
+
+void Application::drawInterface() {
+  ui::drawMenuBar(workspace_);
+  drawMain();
+  ui::drawKeys(workspace_);
+  ui::drawAbout(workspace_);
+  ui::drawQuestion(workspace_);
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  const float below = ui::drawLog(workspace_);
+  toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
+                               viewport.Size.y - below - 48 * ui::unit());
+  if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
+}
+
+void Application::drawMain() {
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos(viewport.WorkPos);
+  ImGui::SetNextWindowSize(viewport.WorkSize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin("main", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
+  const float top = ImGui::GetCursorPosY();
+  drawSidePanel(330 * ui::unit());
+  ImGui::SameLine(0, 0);
+  ImGui::BeginChild("views", {0, viewport.WorkSize.y - top - status});
+  viewsWant_ = ui::drawFourUp(views_, workspace_);
+  ImGui::EndChild();
+  ImGui::SetCursorPos({12 * ui::unit(), viewport.WorkSize.y - status + 3 * ui::unit()});
+  ui::drawStatusBar(workspace_);
+  ImGui::End();
+}
+
+void Application::drawSidePanel(float width) {
+  const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
+  ImGui::BeginChild("side", {width, ImGui::GetMainViewport()->WorkSize.y - status}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ui::drawVolumePanel(workspace_);
+  ui::drawRegionPanel(workspace_);
+  ui::drawClassificationPanel(workspace_);
+  ui::drawReconstructionPanel(workspace_);
+  ui::drawViewPanel(workspace_);
+  ui::drawSkinPanel(workspace_);
+  ui::drawMorePanel(workspace_);
+  ImGui::EndChild();
+}
+
+}  // namespace sonoskin

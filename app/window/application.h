@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/views/four_up.h"
+#include "app/window/background_context.h"
+#include "app/window/desktop_window.h"
+#include "app/workspace/objects_seen.h"
+#include "app/workspace/workspace.h"
+#include "core/base/log.h"
+#include "core/pipeline/parameters.h"
+
+namespace sonoskin {
+
+// Application: the window with all that is in it. frame() is one turn of its loop. An error in a frame is
+// shown in the window and does not end it.
+class Application {
+ public:
+  Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters);
+  ~Application();  // remembers the settings
+
+  // frame: waits for something to do, does it, draws; false when the window was closed and all is saved.
+  bool frame();
+
+  // For tests: the document and the views, and a frame even though nothing happened.
+  Workspace& workspace() { return workspace_; }
+  const Workspace& workspace() const { return workspace_; }
+  void requestFrame() { window_.requestFrames(1); }
+  bool eventsWait() const { return window_.eventsWait(); }
+  // atFrame: called where a frame begins that will be shown.
+  std::function<void()> atFrame;
+
+ private:
+  void takeInput(const std::optional<Event>& event);
+  void updateDocument();
+  void draw();
+  void drawInterface();
+  void answerClosing();
+  void lookForGlErrors();
+  void drawSidePanel(float width);
+  void drawMain();
+  void act(const ui::FileChoice& choice);
+  void saveSkin(const std::filesystem::path& path, bool light);
+  void savePicture(const std::filesystem::path& path);
+  BackgroundContext& background();
+  bool attempt(const std::function<void()>& action);  // whether it ended well
+  double waitSeconds() const;
+
+  LogRecord log_;  // what is said anywhere, until updateDocument shows it
+  Settings settings_;
+  DesktopWindow window_;
+  std::optional<BackgroundContext> background_;  // made when first needed
+  Workspace workspace_;
+  ui::FourUp views_;
+  std::string title_;
+  ObjectsSeen<1> shownPoints_, shownVolume_;  // what the views were last reset for
+  std::uint64_t reconstructions_ = 0;         // seen so far
+  double viewsWant_ = -1, toastsWant_ = -1;
+  bool glErrorTold_ = false;
+};
+
+}  // namespace sonoskin

@@ -1,0 +1,41 @@
+#include "app/window/background_context.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "core/base/error.h"
+
+namespace sonoskin {
+namespace {
+
+// Current: while it lives, the context is this thread's.
+struct Current {
+  explicit Current(GLFWwindow* window) { glfwMakeContextCurrent(window); }
+  ~Current() { glfwMakeContextCurrent(nullptr); }
+};
+
+}  // namespace
+
+// By EGL where that is there: Mesa's software renderer draws one picture at a time for all contexts of GLX. The window's other
+// hints, which came first, hold on.
+BackgroundContext::BackgroundContext() {
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  for (const int maker : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, maker);
+    if (!window_) window_ = glfwCreateWindow(16, 16, "Sonoskin", nullptr, nullptr);
+  }
+  glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
+  if (!window_)
+    throw Error(
+        "The display gives no second OpenGL context to draw the picture with; 'sonoskin render' can draw it.",
+        Error::Kind::system);
+}
+
+BackgroundContext::~BackgroundContext() { glfwDestroyWindow(window_); }
+
+void BackgroundContext::use(const std::function<void()>& draw) {
+  const Current current(window_);
+  draw();
+}
+
+}  // namespace sonoskin

@@ -1,0 +1,103 @@
+#include "app/window/desktop_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include "app/widgets/theme.h"
+#include "core/base/error.h"
+
+namespace sonoskin {
+namespace {
+
+// GLFW reports what went wrong through a function without state of ours: its last words are kept here.
+std::string& lastGlfwError() {
+  static std::string text;
+  return text;
+}
+
+[[noreturn]] void giveUp(const std::string& what) {
+  glfwTerminate();
+  throw Error(fmt::format("The window cannot be opened for want of {} ({}); without one use 'sonoskin run' "
+                          "or 'sonoskin render'.",
+                          what, lastGlfwError().empty() ? "no reason given" : lastGlfwError()),
+              Error::Kind::system);
+}
+
+}  // namespace
+
+DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size) {
+  glfwSetErrorCallback([](int, const char* text) { lastGlfwError() = text; });
+  if (!glfwInit()) giveUp("a display");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  if (!window_) giveUp("OpenGL 4.5");
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  glfwSetWindowSizeLimits(window_, 800, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  events_.attach(window_);
+
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;          // the layout is computed, there is nothing to remember
+  ImGui_ImplGlfw_InitForOpenGL(window_, false);  // the queue takes the place of its callbacks
+  ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+DesktopWindow::~DesktopWindow() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void DesktopWindow::applyContentScale() {
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  const float wanted = events_.contentScale();
+  ui::loadFonts(wanted);
+  ui::applyTheme(wanted);
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  scale_ = wanted;  // tried again in the next frame where one of these failed
+}
+
+std::optional<Event> DesktopWindow::beginFrame() {
+  if (scale_ != events_.contentScale()) applyContentScale();
+  const std::optional<Event> event = events_.take();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  feed_.feed(event, events_.knownUntil(), ImGui::GetIO());
+  ImGui::NewFrame();
+  events_.hasBegun();
+  return event;
+}
+
+void DesktopWindow::endFrame() {
+  if (eventsWait()) return ImGui::EndFrame();
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window_);
+}
+
+bool DesktopWindow::closeRequested() const { return glfwWindowShouldClose(window_); }
+void DesktopWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void DesktopWindow::keepOpen() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
+void DesktopWindow::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+glm::ivec2 DesktopWindow::size() const {
+  glm::ivec2 s;
+  glfwGetWindowSize(window_, &s.x, &s.y);
+  return s;
+}
+
+glm::ivec2 DesktopWindow::framebufferSize() const {
+  glm::ivec2 s;
+  glfwGetFramebufferSize(window_, &s.x, &s.y);
+  return s;
+}
+
+}  // namespace sonoskin

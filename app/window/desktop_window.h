@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/window/event_feed.h"
+#include "app/window/window_events.h"
+
+struct GLFWwindow;
+
+namespace sonoskin {
+
+// DesktopWindow: one window of the desktop with an OpenGL 4.5 context, which it makes current, and Dear ImGui
+// on top. It draws only when asked: a still window costs no time.
+//   errors   Error (system): no display, or no OpenGL 4.5
+//   threads  main thread only
+class DesktopWindow {
+ public:
+  DesktopWindow(const std::string& title, glm::ivec2 size);
+  ~DesktopWindow();
+  DesktopWindow(const DesktopWindow&) = delete;
+  DesktopWindow& operator=(const DesktopWindow&) = delete;
+
+  // waitForFrame: sleeps until an event comes or `timeout` seconds are over; true when a frame should be
+  // drawn, as after any event (and for two frames more: the interface answers in the frame after the event).
+  bool waitForFrame(double timeout) { return events_.waitForFrame(timeout); }
+  void requestFrames(int frames = 3) { events_.requestFrames(frames); }
+
+  // beginFrame: a frame of the interface, with the next event that waits.
+  //   output  that event
+  std::optional<Event> beginFrame();
+  // eventsWait: whether more have happened than frames have seen. Such frames need not be shown: they are there for what
+  // happened during an earlier one, and must not cost as much.
+  bool eventsWait() const { return events_.wait(); }
+  // settle: what is opened in this frame is ready for keys before it gets the next.
+  void settle() { events_.settle(); }
+  void endFrame();  // draws the interface and shows it; where events wait, it only ends the frame
+
+  bool closeRequested() const;
+  void close();
+  void keepOpen();  // takes a request to close back
+  void setTitle(const std::string& title);
+  // takeDroppedFiles: what was dropped on the window since the last call.
+  std::vector<std::filesystem::path> takeDroppedFiles() { return events_.takeDroppedFiles(); }
+  float contentScale() const { return events_.contentScale(); }
+  glm::ivec2 size() const;             // in the units of mouse positions
+  glm::ivec2 framebufferSize() const;  // in pixels
+
+ private:
+  void applyContentScale();
+
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 0;  // of the fonts; none yet
+  WindowEvents events_;
+  EventFeed feed_;
+};
+
+}  // namespace sonoskin

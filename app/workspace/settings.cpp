@@ -1,0 +1,95 @@
+#include "app/workspace/settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+
+namespace sonoskin {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kMostRecent = 8;
+constexpr fs::perms kMine = fs::perms::owner_read | fs::perms::owner_write;
+
+SkinQualityChoice qualityNamed(const std::string& name) {
+  const auto names = enumNames(SkinQualityChoice{});
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? SkinQualityChoice::automatic : SkinQualityChoice(found - names.begin());
+}
+
+}  // namespace
+
+void Settings::noteOpened(const fs::path& file) {
+  if (!remembersFiles) return;
+  std::error_code error;
+  const fs::path full = fs::absolute(file, error);
+  recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+fs::path settingsFile() {
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config) {
+    return fs::path(config) / "sonoskin/settings.json";
+  }
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return fs::path(home) / ".config/sonoskin/settings.json";
+  return {};
+}
+
+Settings readSettings(const fs::path& file) {
+  Settings settings;
+  json root;
+  try {
+    root = json::parse(readText(file), nullptr, false);
+  } catch (const Error&) {
+  }
+  if (!root.is_object()) return settings;
+  try {
+    settings.folder = root.value("folder", std::string());
+    for (const json& recent : root.value("recent", json::array()))
+      settings.recent.emplace_back(recent.get<std::string>());
+    settings.remembersFiles = root.value("remembersFiles", true);
+    settings.width = std::clamp(root.value("width", settings.width), 800, 8192);
+    settings.height = std::clamp(root.value("height", settings.height), 600, 8192);
+    settings.skinQuality = qualityNamed(root.value("skinQuality", std::string()));
+  } catch (const json::exception&) {
+    return {};
+  }
+  return settings;
+}
+
+void writeSettings(const fs::path& file, const Settings& settings) {
+  if (file.empty()) return;
+  json recent = json::array();
+  for (const fs::path& f : settings.recent) recent.push_back(f.string());
+  const json root{{"folder", settings.folder.string()},
+                  {"recent", recent},
+                  {"remembersFiles", settings.remembersFiles},
+                  {"width", settings.width},
+                  {"height", settings.height},
+                  {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]}};
+  const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  try {
+    fs::permissions(file, kMine, error);  // an earlier file, whose permissions the new one takes over
+    writeAtomically(file, [&](const fs::path& temporary) {
+      fs::permissions(temporary, kMine);
+      std::ofstream stream(temporary);
+      stream << text;
+      stream.close();
+      require(bool(stream), "The settings could not be written; check the room on the disk.");
+    });
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace sonoskin

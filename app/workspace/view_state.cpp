@@ -1,0 +1,44 @@
+#include "app/workspace/view_state.h"
+
+namespace sonoskin {
+
+double shownLevel(const ViewState& view, const Results& results) {
+  constexpr double kStrongClassified = 0.3;
+  const double found = results.visibleLevel > 0 ? results.visibleLevel : 0.3;
+  return view.volumeLevel.value_or(view.volumeLayer == VolumeLayer::raw ? found : kStrongClassified);
+}
+
+Box surroundings(const Scan& scan, const Results& results) {
+  if (results.points && results.points->size() > 0) return boundingBox(results.points->positions);
+  return worldBox(scan.volume->geometry);
+}
+
+std::array<glm::vec3, 2> cropTo(const Box& box, const Geometry& geometry, float margin) {
+  glm::dvec3 least(1e30), most(-1e30);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::bvec3 far(corner & 1, corner & 2, corner & 4);
+    const glm::dvec3 index = geometry.toIndex(glm::dvec3(glm::mix(box.min - margin, box.max + margin, far)));
+    least = glm::min(least, index);
+    most = glm::max(most, index);
+  }
+  const glm::dvec3 last = glm::max(glm::dvec3(geometry.dims - 1), glm::dvec3(1));
+  return {glm::vec3(glm::clamp(least / last, 0.0, 1.0)), glm::vec3(glm::clamp(most / last, 0.0, 1.0))};
+}
+
+void resetCamera(ViewState& view, const Beam& beam, const Box& box) {
+  view.camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, 1.2f);
+  view.cameraMoved = false;
+}
+
+void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
+  if (!scan.volume) return;
+  const Geometry& g = scan.volume->geometry;
+  view.cursor = g.toWorld(glm::dvec3((g.dims - 1) / 2));
+  view.grey = {};
+  view.slices.fill({.pan = {0, 0}, .zoom = 0.92});  // a margin for the marks
+  view.volumeLevel.reset();
+  view.maximised.reset();
+  resetCamera(view, beam, worldBox(g));
+}
+
+}  // namespace sonoskin

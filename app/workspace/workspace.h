@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "app/document/session.h"
+#include "app/widgets/file_dialog.h"
+#include "app/widgets/toasts.h"
+#include "app/workspace/settings.h"
+#include "app/workspace/view_state.h"
+
+namespace sonoskin {
+
+// Workspace: everything that menus, keys and panels act on.
+struct Workspace {
+  explicit Workspace(const Parameters& parameters) : session(parameters) {}
+
+  // Question: what a person is asked before it is done, for it would lose unsaved work.
+  struct Question {
+    std::string what;  // "Opening another scan"
+    std::function<void()> action;
+  };
+  // carefully: does something that ends the document, after a question where work would be lost.
+  void carefully(const std::string& what, std::function<void()> action);
+  // open: a volume file, remembered as a recent one.
+  void open(const std::filesystem::path& file);
+
+  // lookAtStart: at the face where it is known, else from the probe.
+  void lookAtStart();
+
+  Session session;
+  ViewState view;
+  Settings settings;
+  ui::FileDialog files;
+  ui::Toasts toasts;
+  std::optional<Question> question;
+  bool keysShown = false, aboutShown = false;
+  glm::dvec3 typedSpacing{1};  // mm; for files that give none
+  std::string glInfo;          // the driver's words
+  bool quit = false;
+};
+
+}  // namespace sonoskin
