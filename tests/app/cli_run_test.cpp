@@ -139,9 +139,9 @@ TEST(RenderCommand, WarnsOfWhatIsNoSkin) {
 
 TEST(RunCommand, WritesASolidThatInfoFindsPrintable) {
   const TempFolder folder;
-  const ProgramResult result = sonoskin(withSmall(
-      {"run", "phantom", "--out", (folder / "out").string(), "--json", "--size", "64x64", "--export",
-       "ply,3mf", "--mesh.resolution", "100", "--print.form", "block", "--print.scale", "0.5"}));
+  const ProgramResult result =
+      sonoskin(withSmall({"run", "phantom", "--out", (folder / "out").string(), "--json", "--size", "64x64",
+                          "--export", "ply,3mf", "--print.form", "block", "--print.scale", "0.5"}));
   ASSERT_EQ(result.status, 0) << result.err;
   const nlohmann::json report = nlohmann::json::parse(result.out);
   EXPECT_FALSE(report["mesh"]["closed"].get<bool>());
@@ -189,9 +189,10 @@ TEST(RunCommand, TakesTheSpacingThatAFileLacks) {
 
 TEST(RunCommand, ItsRecipeRepeatsItExactlyOnAnyNumberOfThreads) {
   const TempFolder folder;
-  const Names first = withSmall({"run", "phantom", "--out", (folder / "1").string(), "--threads", "1"});
+  const Names first =
+      withSmall({"run", "phantom", "--out", (folder / "1").string(), "--size", "64x64", "--threads", "1"});
   ASSERT_EQ(sonoskin(first).status, 0);
-  ASSERT_EQ(sonoskin({"run", "phantom", "--out", (folder / "2").string(), "--recipe",
+  ASSERT_EQ(sonoskin({"run", "phantom", "--out", (folder / "2").string(), "--size", "64x64", "--recipe",
                       (folder / "1/recipe.json").string(), "--threads", "3"})
                 .status,
             0);

@@ -14,8 +14,8 @@ inline ProgramResult sonoskin(const std::vector<std::string>& arguments) {
   return RunningProgram(SONOSKIN_PROGRAM, arguments, output.path()).wait();
 }
 
-// kSmall: a simulated scan that a run finishes in a second or two.
-inline const std::vector<std::string> kSmall{"--phantom.dims", "117x64x31"};
+// kSmall: a simulated scan and a surface of it that a run finishes in a second or two.
+inline const std::vector<std::string> kSmall{"--phantom.dims", "117x64x31", "--mesh.resolution", "60"};
 
 // joined: a command and the options of a small scan.
 inline std::vector<std::string> withSmall(std::vector<std::string> arguments) {

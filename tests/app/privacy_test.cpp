@@ -33,8 +33,9 @@ struct Privacy : testing::Test {
 
 TEST_F(Privacy, NoResultHoldsANameOfFileOrFolder) {
   const fs::path out = patient / "out";
-  const ProgramResult run = sonoskin({"run", scan.string(), "--out", out.string(), "--json", "--size",
-                                      "64x64", "--export", "ply,obj", "--keep", "classified,points"});
+  const ProgramResult run =
+      sonoskin({"run", scan.string(), "--out", out.string(), "--json", "--size", "64x64", "--mesh.resolution",
+                "60", "--export", "ply,obj", "--keep", "classified,points"});
   ASSERT_EQ(run.status, 0) << run.err;
   expectNameless(run.out, "the result of run");
   for (const auto& entry : fs::directory_iterator(out)) {

@@ -19,7 +19,7 @@ class LegalLooksTest : public GlTest {
     quality_.texel = 1;
     quality_.shadowSize = 64;
     quality_.shadowTaps = 9;
-    mesh_ = std::make_shared<const Mesh>(test::icosphere(4, 30, {1, 2, 3}));
+    mesh_ = std::make_shared<const Mesh>(test::icosphere(3, 30, {1, 2, 3}));
     gpu_.set(prepareSkin(mesh_, {0, -1, 0}, quality_));
     camera_ = lookAlong({0, 1, 0}, {0, 0, 1}, gpu_.box(), 1);
   }
