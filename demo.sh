@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# demo.sh [FOLDER]: installs what is missing, builds Sonoskin and shows it at work on the simulated scan.
+# demo.sh [FOLDER]: installs what is missing, builds the program (not its tests) and shows it at work on the simulated scan.
 # With a display it opens the window; without one it runs the whole way into FOLDER (default: out).
 set -euo pipefail
 folder=$(realpath -m "${1:-$(dirname "$0")/out}")
 cd "$(dirname "$0")"
 
-cmake/build_release.sh
+cmake/build_release.sh sonoskin
 
 if [ $# -eq 0 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   echo "demo: opening the window on the simulated scan"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build_release.sh: installs what is missing and builds the release into build/release, the program included.
+# build_release.sh [TARGET...]: installs what is missing and builds the release into build/release: all of it, or the targets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,5 +13,5 @@ fi
 echo "build: configuring"
 cmake --preset release --log-level=WARNING "${launcher[@]}" >/dev/null
 echo "build: compiling (some minutes the first time)"
-cmake --build --preset release --parallel "$(nproc)"
+cmake --build --preset release --parallel "$(nproc)" ${1:+--target "$@"}
 echo "build: build/release/sonoskin is ready"

@@ -15,7 +15,7 @@ struct RecipeOptions {
   bool explain = false;
 };
 
-// explanation: a Markdown table for each group, as it stands in the README.
+// explanation: a Markdown table for each group, as it stands in assets/docs/parameters.md.
 std::string explanation(const Parameters& parameters) {
   std::string text, group;
   for (const ParameterInfo& p : describeParameters(parameters)) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # phantom_scenes.sh: draws the simulated scenes side by side, ray-cast as the probe sees them.
-#   phantom_scenes.sh OUT.png
+#   phantom_scenes.sh OUT.jpg
 # Needs build/release/sonoskin (or SONOSKIN), ImageMagick and the DejaVu fonts. About a minute.
 set -euo pipefail
 
@@ -19,4 +19,4 @@ for scene in clear,1,0 thick,1,1 haze,1,2 saturated,1,3 enhanced,1,4 planes,1,5 
   pictures+=(-label "$name, head $shape" "$work/$scene.png")
 done
 montage -font "$font" -background '#15171b' -fill '#d8d8d8' -pointsize 24 -geometry 600x600+4+4 -tile 4x3 "${pictures[@]}" "$work/all.png"
-convert "$work/all.png" -strip -resize 40% +dither -colors 96 "$out"
+convert "$work/all.png" -strip -resize 40% -quality 85 "$out"

@@ -166,8 +166,8 @@ TEST(CommandLine, ExplainsEveryField) {
   const std::string table = sonoskin({"recipe", "--explain"}).out;
   for (const ParameterInfo& p : describeParameters({}))
     EXPECT_NE(table.find("| `" + p.name + "` |"), std::string::npos) << p.name;
-  EXPECT_NE(fileText(SONOSKIN_README).find(table), std::string::npos)
-      << "README.md is out of date: run tests/tools/update_readme.py build/release/sonoskin";
+  EXPECT_NE(fileText(SONOSKIN_PARAMETERS).find(table), std::string::npos)
+      << "assets/docs/parameters.md is out of date: run tests/tools/update_tables.py build/release/sonoskin";
 }
 
 }  // namespace

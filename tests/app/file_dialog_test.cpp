@@ -84,7 +84,7 @@ TEST(FileFormats, AreToldAlikeEverywhere) {
   const std::string table = sonoskin({"info", "--formats"}).out;
   EXPECT_EQ(table, formatTable());
   EXPECT_NE(fileText(SONOSKIN_README).find(table), std::string::npos)
-      << "README.md is out of date: run tests/tools/update_readme.py build/release/sonoskin";
+      << "README.md is out of date: run tests/tools/update_tables.py build/release/sonoskin";
   const auto expectAll = [](const std::vector<std::string>& words, FileKind kind) {
     const std::string help = sonoskin(words).out;
     for (const std::string& word : extensionWords(kind))
