@@ -45,6 +45,7 @@ TEST(RunCommand, WritesTheFolderAndOneJsonObject) {
        {"points", "centres", "global_error", "triangles", "area_mm2", "peak_memory_bytes", "threads"})
     EXPECT_GT(report[key].get<double>(), 0) << key;
   EXPECT_FALSE(report["gl"].get<std::string>().empty());
+  EXPECT_GT(report["stages"].size(), 5u);
   for (const auto& stage : report["stages"]) {
     EXPECT_TRUE(stage["name"].is_string());
     EXPECT_GE(stage["seconds"].get<double>(), 0);

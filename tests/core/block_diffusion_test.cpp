@@ -54,11 +54,13 @@ TEST(BlockDiffusion, EvenLightStaysEvenInEveryTexel) {
   BlockDiffusion kept;
   const auto white = [](const glm::vec3&, const glm::vec3&) { return 1.f; };
   for (const auto& level :
-       diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, white), kept))
+       diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, white), kept)) {
+    ASSERT_EQ(level.size(), surface->maps.position.size());
     for (std::size_t t = 0; t < level.size(); ++t) {
       const float shown = surface->maps.position[t].w > 0 ? 1 : 0;
       ASSERT_LT(glm::length(level[t] - shown), 1e-5f) << t;
     }
+  }
 }
 
 TEST(BlockDiffusion, KeepsItsPointsAndForgetsTheLight) {

@@ -62,13 +62,16 @@ TEST(FetalFace, IsADistanceNearTheSkin) {
 
 TEST(FetalFace, HasNoJumps) {
   Places places;
+  int near = 0;
   for (int n = 0; n < 200000; ++n) {
     const dvec3 p = places.next(), q = p + 0.002 * (places.next() / kFieldOfView - 0.5);
     const double d = skinDistance(p);
     if (d > -4 && d < 8) {
+      ++near;
       ASSERT_LT(std::abs(skinDistance(q) - d), 0.006) << p.x << ' ' << p.y << ' ' << p.z;
     }
   }
+  EXPECT_GT(near, 20000);
 }
 
 TEST(FetalFace, HeadIsAbout75MillimetresAcross) {
@@ -123,13 +126,16 @@ TEST(FetalFace, BonesLieUnderTheSkin) {
 }
 
 TEST(FetalFace, FluidSeparatesTheFaceFromTheWall) {
+  int onFace = 0;
   for (double x = 30; x < 100; x += 2)
     for (double z = 35; z < 90; z += 2) {
       const double y = firstHit(x, z);
       if (y < 45) {
+        ++onFace;
         EXPECT_GT(wallDistance({x, y, z}), 4) << x << ' ' << z;
       }
     }
+  EXPECT_GT(onFace, 100);
   EXPECT_LT(wallDistance({70, 3, 56}), 0);
 }
 

@@ -42,6 +42,7 @@ Mesh needles(int count, float length) {
 TEST(ObjectSize, TexelsFollowTheObject) {
   SkinQuality quality;
   quality.texels = 2e5;
+  int asAsked = 0;
   for (const double diameter : kDiameters) {
     const auto surface = prepareSkin(std::make_shared<const Mesh>(ball(diameter)), {0, -1, 0}, quality);
     const double area = std::numbers::pi * diameter * diameter;
@@ -54,8 +55,10 @@ TEST(ObjectSize, TexelsFollowTheObject) {
     // As the quality has them where that is neither too many nor too few.
     if (area > 4096 * 0.0225 && area < 0.3 * 2e5 * 0.0225) {
       EXPECT_FLOAT_EQ(surface->atlas.texel, 0.15f) << diameter;
+      ++asAsked;
     }
   }
+  EXPECT_GT(asAsked, 0);
 }
 
 // Two objects that are far too large for the texels of a body have the same map, whatever their size.

@@ -109,14 +109,19 @@ TEST(PartGraph, CreaseIsTheAngleOfAFold) {
 
 TEST(PartGraph, NormalsCancelOnStrandsAlone) {
   const PartGraph graph = makePartGraph(Facets(dumbbell(1.5)), 3);
+  int onStrand = 0, onBalls = 0;
   for (std::size_t p = 0; p < graph.size(); ++p) {
     if (std::abs(graph.patches.centre[p].x) < 4) {
       EXPECT_LT(graph.flatness[p], 0.35f);
+      ++onStrand;
     }
     if (std::abs(graph.patches.centre[p].x) > 24) {
       EXPECT_GT(graph.flatness[p], 0.9f);
+      ++onBalls;
     }
   }
+  EXPECT_GT(onStrand, 0);
+  EXPECT_GT(onBalls, 50);
 }
 
 TEST(Watershed, BasinsMeetOnTheCrease) {

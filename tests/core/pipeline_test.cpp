@@ -171,6 +171,7 @@ TEST_F(PipelineTest, TheRegionReachesThePointsAlone) {
   erased.erasedKey = Hasher("left half").key();
   const Results right = pipeline.run(erased, parameters, Goal::points);
   EXPECT_EQ(computed(right), (std::vector<std::string>{"points", "evidence"}));
+  EXPECT_GT(double(right.points->size()), 0.45 * double(whole.points->size()));
   for (const glm::vec3& p : right.points->positions) EXPECT_GT(p.x, 8.5f);
 
   const Results back = pipeline.run(scan, parameters, Goal::points);

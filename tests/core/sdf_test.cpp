@@ -47,17 +47,24 @@ TEST(Sdf, BumpIsSmoothAndNoSteeperThanItSays) {
 
 TEST(Sdf, ReachSkipsOnlyWhatHasNoInfluence) {
   const Reach reach{{1, 2, 3}, 4};
+  int unjoined = 0, uncarved = 0, near = 0;
   for (float x = -20; x < 20; x += 0.37f)
     for (float d : {-3.f, 0.f, 2.f, 9.f}) {
       const vec3 p(x, 0.4f * x, 3);
       const float ball = sphere(p, reach.centre, reach.radius);
+      near += smoothMin(d, ball, 1) != d || smoothMax(d, -ball, 1) != d;
       if (!reach.joins(p, d, 1)) {
         EXPECT_EQ(smoothMin(d, ball, 1), d);
+        ++unjoined;
       }
       if (!reach.carves(p, d, 1)) {
         EXPECT_EQ(smoothMax(d, -ball, 1), d);
+        ++uncarved;
       }
     }
+  EXPECT_GT(near, 20);
+  EXPECT_GT(unjoined, 100) << "most is too far away";
+  EXPECT_GT(uncarved, 100);
 }
 
 }  // namespace

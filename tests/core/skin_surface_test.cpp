@@ -37,11 +37,14 @@ TEST(SkinSurface, OfASphereHasAnAtlasAndAllMaps) {
   EXPECT_TRUE(surface->check.good());
   EXPECT_FALSE(surface->pointBased);
   EXPECT_FLOAT_EQ(surface->atlas.texel, 0.6f);
+  int owned = 0;
   for (std::size_t i = 0; i < surface->maps.position.size(); ++i)
     if (surface->maps.position[i].w == 1) {
+      ++owned;
       EXPECT_GT(surface->maps.occlusion[i].w, 0.9f);
       EXPECT_NEAR(surface->maps.normal[i].w, 1 / 30., 0.005);
     }
+  EXPECT_GT(owned, 10000);
 }
 
 TEST(SkinSurface, IsReducedWhereTheQualityAsksForIt) {

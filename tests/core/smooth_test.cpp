@@ -115,11 +115,12 @@ TEST(Smooth, BordersMoveAlongThemselves) {
   const Mesh before = mesh;
   smoothMesh(mesh, 10);
   const auto opposite = oppositeHalfEdges(mesh.triangles, mesh.positions.size());
-  for (const auto& loop : borderLoops(mesh.triangles, opposite))
-    for (const auto h : loop) {
-      const auto v = originOf(mesh.triangles, h);
-      EXPECT_LT(glm::distance(mesh.positions[v], before.positions[v]), 0.05f);
-    }
+  const auto loops = borderLoops(mesh.triangles, opposite);
+  ASSERT_EQ(loops.size(), 1u);
+  for (const auto h : loops[0]) {
+    const auto v = originOf(mesh.triangles, h);
+    EXPECT_LT(glm::distance(mesh.positions[v], before.positions[v]), 0.05f);
+  }
 }
 
 TEST(Smooth, NoStepsSameOnAnyNumberOfThreadsAndCancelled) {

@@ -44,7 +44,7 @@ TEST(SupportMargin, IsTheBruteForceOne) {
   const float usual = usualDensity(points);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> along(-5, 25), up(-4, 4), covered(0.5, 3);
-  int inside = 0, outside = 0, beyond = 0;
+  int inside = 0, outside = 0, beyond = 0, ruledOut = 0;
   for (int i = 0; i < 3000; ++i) {
     const glm::vec3 place(along(random), along(random), up(random)), normal(0, 0, i % 5 == 0 ? -1 : 1);
     const float coverage = covered(random);
@@ -60,11 +60,13 @@ TEST(SupportMargin, IsTheBruteForceOne) {
     beyond += margin.isBeyond;
     if (!support.mayStay(place, 0.5f)) {
       ASSERT_EQ(expected, -kBand);
+      ++ruledOut;
     }
   }
   EXPECT_GT(inside, 300);
   EXPECT_GT(outside, 300);
   EXPECT_GT(beyond, 300);
+  EXPECT_GT(ruledOut, 100);
 }
 
 TEST(SupportMargin, AStraightBorderOfPointsIsWhereTheDensityIsHalf) {

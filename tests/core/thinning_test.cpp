@@ -141,7 +141,11 @@ TEST(Thinning, NothingIsFoundNearTheSidesOfTheView) {
   options.borderMargin = 3;
   ScanFrame frame;
   frame.view.sides = {glm::vec4(1, 0, 0, -30)};  // the view ends at x = 30
-  for (const auto& s : thin(shell.u, shell.v, frame, options)) EXPECT_LE(s.voxel.x, 27);
+  const auto all = thin(shell.u, shell.v, {}, options), within = thin(shell.u, shell.v, frame, options);
+  EXPECT_LT(within.size(), all.size());
+  EXPECT_EQ(within.size(),
+            std::size_t(std::ranges::count_if(all, [](const auto& s) { return s.voxel.x <= 27; })));
+  for (const auto& s : within) EXPECT_LE(s.voxel.x, 27);
 }
 
 TEST(Thinning, StopsWhenCancelled) {
