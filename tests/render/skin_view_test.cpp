@@ -183,21 +183,38 @@ TEST_F(SkinViewTest, TurningTheCameraLeavesTheLight) {
   EXPECT_NE(first.rgba, gl::readImage(picture).rgba);
 }
 
-// Light that is dragged about is finished in between, one pass a frame.
+// Light that is dragged about is finished in between, one pass a frame: what is shown is the whole light of some frame
+// before, and the next one is worked on from the frame that follows.
 TEST_F(SkinViewTest, StepsArriveWhileLightMoves) {
   const auto plane = skinPlane(10, kTexel);
   GpuSkin gpu;
   gpu.set(plane);
-  SkinView view;
+  SkinView view, whole;
   const Camera camera = lookAlong({0, 0, -1}, {0, 1, 0}, gpu.box(), 1);
   const gl::Framebuffer picture({.size = {32, 32}});
-  int finished = 0;
+  const auto look = [](int frame) {
+    return SkinLook{plainSkin(), {}, oneLight({0.02f * float(frame), 0, 1})};
+  };
+  std::vector<float> shown;
+  int begun = 0, arrived = 0;
   for (int frame = 0; frame < 40; ++frame) {
-    const SkinLook look{plainSkin(), {}, oneLight({0.02f * float(frame / 15), 0, 1})};
-    view.draw({.surface = gpu, .camera = camera, .look = look, .quality = {}, .steps = 1}, picture);
-    finished += view.complete() ? 1 : 0;
+    view.draw({.surface = gpu, .camera = camera, .look = look(frame), .quality = {}, .steps = 1}, picture);
+    EXPECT_FALSE(view.complete()) << "the light has moved on";
+    std::vector<float> now = gl::readFloats(view.diffused(), 4);
+    if (frame > 0 && now != shown) {
+      whole.relight(gpu, look(begun), {});
+      EXPECT_EQ(now, gl::readFloats(whole.diffused(), 4)) << frame;
+      begun = frame + 1;
+      ++arrived;
+    }
+    shown = std::move(now);
   }
-  EXPECT_GT(finished, 2);
+  EXPECT_GE(arrived, 3);
+  for (int frame = 0; frame < 30 && !view.complete(); ++frame)  // it rests
+    view.draw({.surface = gpu, .camera = camera, .look = look(40), .quality = {}, .steps = 1}, picture);
+  ASSERT_TRUE(view.complete());
+  whole.relight(gpu, look(40), {});
+  EXPECT_EQ(gl::readFloats(view.diffused(), 4), gl::readFloats(whole.diffused(), 4));
 }
 
 }  // namespace
