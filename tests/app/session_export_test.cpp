@@ -17,14 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::ballOnTheSurface;
 using test::TempFolder;
+using test::tinySurface;
 using test::wait;
-
-Parameters small() {
-  Parameters p = test::tinyPhantom();
-  p.mesh.resolution = 60;
-  p.surface.minClusterArea = 20;
-  return p;
-}
 
 // A surface of which something was erased, and for which a parameter was changed on the way to it.
 void reconstructSomething(Session& session) {
@@ -66,7 +60,7 @@ std::vector<std::uint8_t> repeated(const fs::path& file, const TempFolder& folde
 TEST(SessionExport, TheRecipeBesideAMeshRepeatsIt) {
   const TempFolder folder;
   const fs::path file = folder / "face.ply";
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   LogRecord said;
   session.saveMesh(file);
@@ -79,7 +73,7 @@ TEST(SessionExport, TheRecipeBesideAMeshRepeatsIt) {
 TEST(SessionExport, ASurfaceThatIsOlderKeepsItsOwnRecipeAndSaysSo) {
   const TempFolder folder;
   const fs::path file = folder / "face.ply";
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   session.followParameters(false);
   Parameters moved = session.parameters();
@@ -100,7 +94,7 @@ TEST(SessionExport, ASurfaceThatIsOlderKeepsItsOwnRecipeAndSaysSo) {
 
 TEST(SessionExport, ASurfaceThatIsNotFinalSaysSo) {
   const TempFolder folder;
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   Parameters moved = session.parameters();
   moved.classification.gamma = 2;
@@ -118,7 +112,7 @@ TEST(SessionExport, ASurfaceThatIsNotFinalSaysSo) {
 TEST(SessionExport, TheRecipeBesideASolidMakesTheSolid) {
   const TempFolder folder;
   const fs::path file = folder / "face.stl";
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   session.savePrint(file);
   ASSERT_TRUE(wait(session));
@@ -128,7 +122,7 @@ TEST(SessionExport, TheRecipeBesideASolidMakesTheSolid) {
 // A picture of the mesh has the recipe of that mesh in the present light; one of the volume that of the moment.
 TEST(SessionExport, PicturesHaveTheRecipeOfWhatTheyShow) {
   const TempFolder folder;
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   session.followParameters(false);
   Parameters moved = session.parameters();
@@ -154,7 +148,7 @@ TEST(SessionExport, PicturesHaveTheRecipeOfWhatTheyShow) {
 
 TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   const TempFolder folder;
-  Session session(small());
+  Session session(tinySurface());
   reconstructSomething(session);
   const auto mask = session.erased().mask().data;
   session.saveRecipe(folder / "face.recipe.json");
@@ -166,11 +160,9 @@ TEST(SessionExport, ARecipeBringsBackWhatWasErasedOfItsOwnScanAlone) {
   session.undo();
   EXPECT_EQ(session.erased().voxels(), 0u);
 
-  Parameters p = small();
+  Parameters p = tinySurface();
   p.phantom.seed += 1;
-  Session other(p);
-  other.openPhantom();
-  ASSERT_TRUE(wait(other));
+  test::OpenSession other(p);
   LogRecord said;
   other.loadRecipe(folder / "face.recipe.json");
   ASSERT_TRUE(wait(other));
@@ -188,7 +180,7 @@ TEST(SessionExport, ARecipeErasesNothingWhereNothingIsOpen) {
   const TempFolder folder;
   const std::string text =
       "{\"input\": \"" + Key().hex() + "\", \"erased\": {\"dims\": [1, 1, 1], \"counts\": [0, 1]}}";
-  Session session(small());
+  Session session(tinySurface());
   session.loadRecipe(folder.write("a.recipe.json", text));
   ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.erased().voxels(), 0u);

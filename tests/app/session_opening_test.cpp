@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::ballOnTheSurface;
+using test::OpenSession;
+using test::TempFolder;
 using test::tinyPhantom;
 using test::wait;
 
@@ -41,7 +43,8 @@ TEST(Session, HasBeamsForEveryChoiceOfSides) {
   g.dims = {24, 24, 24};
   Volume<float> noise(g);
   for (std::size_t v = 0; v < noise.data.size(); ++v) noise.data[v] = 0.01f * float(v % 97);
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_sides.nrrd";
+  const TempFolder folder;
+  const fs::path file = folder / "sides.nrrd";
   writeVolume(file, noise);
   Session session(tinyPhantom());
   session.openFile(file);
@@ -63,7 +66,6 @@ TEST(Session, HasBeamsForEveryChoiceOfSides) {
       session.edit(parameters);
       EXPECT_NO_THROW(session.beam());
     }
-  fs::remove(file);
 }
 
 TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
@@ -77,7 +79,8 @@ TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
         const float d = 2 * glm::length(glm::vec3(i, j, k) - glm::vec3(23.5f));
         ball.at(i, j, k) = (d > 36 ? 0.02f : 0.5f) + 0.001f * float((7 * i + 11 * j + 13 * k) % 10);
       }
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_warning.nrrd";
+  const TempFolder folder;
+  const fs::path file = folder / "warning.nrrd";
   writeVolume(file, ball);
   LogRecord said;
   Session session(tinyPhantom());
@@ -101,17 +104,13 @@ TEST(Session, WarnsOnceOfAScanThatIsNoSkinAndAgainWhenItsSurfaceIsAskedFor) {
   ASSERT_TRUE(wait(session));
   EXPECT_TRUE(session.results().mesh);
   EXPECT_EQ(warned(), 1);
-  fs::remove(file);
 }
 
 // Landmarks are places on one face.
 TEST(Session, ThePhantomBringsItsLandmarksAndAnotherScanHasNone) {
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.nrrd";
   Parameters given = tinyPhantom();
   given.landmarks.noseTip = {7, 8, 9};
-  Session session(given);
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session(given);
   EXPECT_EQ(session.parameters().landmarks, given.landmarks) << "what was given counts";
 
   given.phantom.seed = 2;
@@ -122,6 +121,8 @@ TEST(Session, ThePhantomBringsItsLandmarksAndAnotherScanHasNone) {
   EXPECT_EQ(session.parameters().landmarks, phantomLandmarks());
   EXPECT_FALSE(session.canUndo()) << "the places before were of another scan";
 
+  const TempFolder folder;
+  const fs::path file = folder / "other.nrrd";
   writeScan(file, makePhantomScan([] {
               PhantomOptions other;
               other.dims = {78, 43, 31};
@@ -132,14 +133,11 @@ TEST(Session, ThePhantomBringsItsLandmarksAndAnotherScanHasNone) {
   ASSERT_TRUE(wait(session));
   ASSERT_EQ(session.name(), file.filename());
   EXPECT_EQ(session.parameters().landmarks, LandmarkOptions{});
-  fs::remove(file);
 }
 
 // Both belong to their volume.
 TEST(Session, AnotherVolumeHasNoCropBoxAndNothingErased) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   session.erase(ballOnTheSurface(session));
   Parameters cut = session.parameters();
   cut.region.cutLow[0] = 20;
@@ -155,9 +153,7 @@ TEST(Session, AnotherVolumeHasNoCropBoxAndNothingErased) {
 }
 
 TEST(Session, TellsWhatCannotBeOpenedAndKeepsWhatItHas) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   const Key key = session.scan().key;
   session.openFile("/nowhere/at/all.nrrd");
   ASSERT_TRUE(wait(session));
@@ -168,7 +164,7 @@ TEST(Session, TellsWhatCannotBeOpenedAndKeepsWhatItHas) {
 }
 
 // A ball in a file that does not say how large its voxels are.
-fs::path fileWithoutSpacing(const test::TempFolder& folder, const char* name) {
+fs::path fileWithoutSpacing(const TempFolder& folder, const char* name) {
   std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 24 24 24\nencoding: raw\n\n";
   for (int v = 0; v < 24 * 24 * 24; ++v) {
     const glm::vec3 at(v % 24, v / 24 % 24, v / 576);
@@ -185,7 +181,7 @@ void setSpacing(Session& session, const std::array<double, 3>& spacing) {
 }
 
 TEST(Session, SpacingIsAParameterWhereTheFileGivesNone) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   Session session(tinyPhantom());
   session.openFile(fileWithoutSpacing(folder, "a.nrrd"));
   ASSERT_TRUE(wait(session));
@@ -210,9 +206,7 @@ TEST(Session, SpacingIsAParameterWhereTheFileGivesNone) {
 }
 
 TEST(Session, AFileThatGivesItsSpacingKeepsIt) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   const glm::dvec3 spacing = session.scan().volume->geometry.spacing;
   setSpacing(session, {0.5, 0.6, 0.7});
   ASSERT_TRUE(wait(session));

@@ -11,25 +11,26 @@
 #include "core/io/mesh_reader.h"
 #include "core/mesh/facts/mesh_facts.h"
 #include "tests/app/session_support.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin {
 namespace {
 
 namespace fs = std::filesystem;
 using test::ballOnTheSurface;
+using test::OpenSession;
+using test::TempFolder;
 using test::tinyPhantom;
 using test::wait;
 
 TEST(Session, KnowsWhatWouldBeLost) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   EXPECT_FALSE(session.hasUnsavedWork());
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   EXPECT_TRUE(session.hasUnsavedWork());
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_unsaved.ply";
-  session.saveMesh(file);
+  const TempFolder folder;
+  session.saveMesh(folder / "face.ply");
   ASSERT_TRUE(wait(session));
   EXPECT_FALSE(session.hasUnsavedWork());
   session.followParameters(false);  // the surface stays the one that is saved
@@ -38,25 +39,17 @@ TEST(Session, KnowsWhatWouldBeLost) {
   ASSERT_TRUE(wait(session));
   ASSERT_GT(session.erased().voxels(), 0u);
   EXPECT_TRUE(session.hasUnsavedWork());
-  const fs::path erased = fs::temp_directory_path() / "sonoskin_session_unsaved.erased.nrrd";
-  session.saveErased(erased);
+  session.saveErased(folder / "face.erased.nrrd");
   ASSERT_TRUE(wait(session));
   EXPECT_FALSE(session.hasUnsavedWork());
-  fs::remove(erased);
-  fs::remove(file);
-  fs::remove(fs::path(file).replace_extension(".recipe.json"));
 }
 
 // A file of somebody else's that has the recipe's name is left alone, and said so.
 TEST(Session, LeavesForeignFilesBesideAnExportAlone) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   session.reconstruct();
   ASSERT_TRUE(wait(session));
-  const fs::path folder = fs::temp_directory_path() / "sonoskin_session_foreign";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TempFolder folder;
   std::ofstream(folder / "face.recipe.json") << "{\"cake\": \"flour\"}";
   session.takeMessages();
   session.saveMesh(folder / "face.ply");
@@ -68,11 +61,11 @@ TEST(Session, LeavesForeignFilesBesideAnExportAlone) {
   EXPECT_TRUE(std::ranges::any_of(messages, [](const Message& m) {
     return m.kind == Message::Kind::failure && m.text.find("something else") != std::string::npos;
   }));
-  fs::remove_all(folder);
 }
 
 TEST(Session, ErasedPartsAreSavedAndOpenedAgain) {
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.erased.nrrd";
+  const TempFolder folder;
+  const fs::path file = folder / "face.erased.nrrd";
   Session session(tinyPhantom());
   EXPECT_THROW(session.saveErased(file), Error);
   EXPECT_THROW(session.loadErased(file), Error);
@@ -94,23 +87,18 @@ TEST(Session, ErasedPartsAreSavedAndOpenedAgain) {
   session.loadErased("/nowhere/at/all.nrrd");
   ASSERT_TRUE(wait(session));
   EXPECT_EQ(session.takeMessages().back().kind, Message::Kind::failure);
-  fs::remove(file);
 }
 
 TEST(Session, SavesASolidForPrinting) {
-  Session session(tinyPhantom());
-  EXPECT_THROW(session.savePrint("nothing.stl"), Error);
+  const TempFolder folder;
+  Session session(test::tinySurface());
+  EXPECT_THROW(session.savePrint(folder / "nothing.stl"), Error);
   session.openPhantom();
   ASSERT_TRUE(wait(session));
-  Parameters small = session.parameters();
-  small.mesh.resolution = 60;
-  small.surface.minClusterArea = 20;
-  session.edit(small);
-  session.commitEdit();
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   session.takeMessages();
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.stl";
+  const fs::path file = folder / "face.stl";
   session.savePrint(file);
   EXPECT_TRUE(session.saving());
   ASSERT_TRUE(wait(session));
@@ -118,14 +106,13 @@ TEST(Session, SavesASolidForPrinting) {
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_EQ(messages[0].kind, Message::Kind::note) << messages[0].text;
   EXPECT_TRUE(measureMesh(readMesh(file)).printable());
-  fs::remove(file);
-  fs::remove(fs::path(file).replace_extension(".recipe.json"));
 }
 
 TEST(Session, SavesTheRecipeBesideTheMeshAndReadsItAgain) {
   Session session(tinyPhantom());
-  EXPECT_THROW(session.saveMesh("nothing.ply"), Error);
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.recipe.json";
+  const TempFolder folder;
+  EXPECT_THROW(session.saveMesh(folder / "nothing.ply"), Error);
+  const fs::path file = folder / "face.recipe.json";
   Parameters changed = tinyPhantom();
   changed.classification.gamma = 0.5;
   session.edit(changed);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <stdexcept>
 #include <thread>
 
 #include "app/document/session.h"
@@ -11,6 +11,13 @@ namespace sonoskin::test {
 inline Parameters tinyPhantom() {
   Parameters parameters;
   parameters.phantom.dims = {78, 43, 31};
+  return parameters;
+}
+// tinySurface: the same with a mesh that takes no time.
+inline Parameters tinySurface() {
+  Parameters parameters = tinyPhantom();
+  parameters.mesh.resolution = 60;
+  parameters.surface.minClusterArea = 20;
   return parameters;
 }
 
@@ -25,6 +32,14 @@ inline bool wait(Session& session) {
   session.poll();
   return true;
 }
+
+// OpenSession: a session that has the phantom open, and rests.
+struct OpenSession : Session {
+  explicit OpenSession(const Parameters& parameters = tinyPhantom()) : Session(parameters) {
+    openPhantom();
+    if (!wait(*this)) throw std::runtime_error("The phantom was not opened within a minute");
+  }
+};
 
 // The middle of the points, and a ball around it.
 inline Brush ballOnTheSurface(const Session& session) {

@@ -3,22 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "tests/app/session_support.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin {
 namespace {
 
-namespace fs = std::filesystem;
 using test::ballOnTheSurface;
+using test::OpenSession;
 using test::tinyPhantom;
+using test::tinySurface;
 using test::wait;
 
 TEST(Session, UndoBringsParametersAndResultsBack) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   const auto first = session.results().classified;
 
   Parameters changed = session.parameters();
@@ -44,14 +42,7 @@ TEST(Session, UndoBringsParametersAndResultsBack) {
 }
 
 TEST(Session, MeshIsCurrentUntilAParameterChanges) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
-  Parameters small = session.parameters();
-  small.mesh.resolution = 60;
-  small.surface.minClusterArea = 20;
-  session.edit(small);
-  session.commitEdit();
+  OpenSession session(tinySurface());
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   ASSERT_TRUE(session.results().mesh);
@@ -59,21 +50,19 @@ TEST(Session, MeshIsCurrentUntilAParameterChanges) {
   EXPECT_GT(session.meshArea(), 100);
   EXPECT_EQ(session.reconstructions(), 1u);
 
-  Parameters other = small;
+  const Parameters before = session.parameters();
+  Parameters other = before;
   other.classification.alpha = 2;
   session.edit(other);
   EXPECT_FALSE(session.meshIsCurrent());
-  session.edit(small);
+  session.edit(before);
   EXPECT_TRUE(session.meshIsCurrent());
 }
 
 TEST(Session, TheSurfaceFollowsTheParametersOnceThereIsOne) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session(tinySurface());
   Parameters p = session.parameters();
-  p.mesh.resolution = 60;
-  p.surface.minClusterArea = 20;
+  p.surface.minClusterArea = 15;
   session.edit(p);
   ASSERT_TRUE(wait(session));
   EXPECT_FALSE(session.results().mesh);  // nobody asked for one yet
@@ -108,9 +97,7 @@ TEST(Session, TheSurfaceFollowsTheParametersOnceThereIsOne) {
 }
 
 TEST(Session, AStrokeTakesPointsAwayAndUndoBringsThemBack) {
-  Session session(tinyPhantom());
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session;
   const auto classified = session.results().classified;
   const auto whole = session.results().points;
   ASSERT_GT(whole->size(), 100u);
@@ -145,12 +132,7 @@ TEST(Session, AStrokeTakesPointsAwayAndUndoBringsThemBack) {
 }
 
 TEST(Session, AMeshIsOlderThanAStroke) {
-  Parameters small = tinyPhantom();
-  small.mesh.resolution = 60;
-  small.surface.minClusterArea = 20;
-  Session session(small);
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session(tinySurface());
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   ASSERT_TRUE(session.meshIsCurrent());
@@ -163,12 +145,7 @@ TEST(Session, AMeshIsOlderThanAStroke) {
 
 // What only pictures depend on makes nothing anew, but can be undone and is saved.
 TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
-  Parameters small = tinyPhantom();
-  small.mesh.resolution = 60;
-  small.surface.minClusterArea = 20;
-  Session session(small);
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session(tinySurface());
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   const auto mesh = session.results().mesh;
@@ -194,7 +171,8 @@ TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
   EXPECT_EQ(session.parameters().skin.wetness, 0.7);
   EXPECT_EQ(session.results().mesh, mesh);
 
-  const fs::path file = fs::temp_directory_path() / "sonoskin_session_test.recipe.json";
+  const test::TempFolder folder;
+  const auto file = folder / "look.recipe.json";
   session.saveRecipe(file);
   ASSERT_TRUE(wait(session));
   session.undo();
@@ -203,15 +181,11 @@ TEST(Session, SkinLightAndLandmarksChangePicturesAlone) {
   EXPECT_EQ(session.parameters().light.azimuth, 120);
   EXPECT_FALSE(session.activity().busy);
   EXPECT_EQ(session.results().mesh, mesh);
-  fs::remove(file);
 }
 
 TEST(Session, ItsStateFollowsWhatIsDone) {
   using enum DocumentState;
-  Parameters small = tinyPhantom();
-  small.mesh.resolution = 60;
-  small.surface.minClusterArea = 20;
-  Session session(small);
+  Session session(tinySurface());
   EXPECT_EQ(session.state(), empty);
   session.openPhantom();
   EXPECT_EQ(session.state(), opening);
@@ -270,13 +244,10 @@ TEST(Session, GoesOnWhereItWasStopped) {
 
 // Parameters that a surface depends on only by way of another group.
 TEST(Session, AMeshOfTheGlobalFunctionIsOlderThanItsParameters) {
-  Parameters small = tinyPhantom();
+  Parameters small = tinySurface();
   small.mesh.resolution = 40;
-  small.surface.minClusterArea = 20;
   small.reconstruction.method = ReconstructionMethod::global;
-  Session session(small);
-  session.openPhantom();
-  ASSERT_TRUE(wait(session));
+  OpenSession session(small);
   session.reconstruct();
   ASSERT_TRUE(wait(session));
   ASSERT_TRUE(session.meshIsCurrent());

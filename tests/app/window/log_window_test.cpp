@@ -46,7 +46,7 @@ TEST_F(WindowTest, ShowsAndKeepsWhatIsLogged) {
 TEST_F(WindowTest, ShowsWhatReadersSay) {
   Driver& d = *driver;
   ASSERT_TRUE(d.waitUntilIdle());
-  const fs::path file = fs::temp_directory_path() / "sonoskin_window_test_colour.nrrd";
+  const fs::path file = folder / "colour.nrrd";
   std::ofstream(file, std::ios::binary)
       << "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 3 8 8 8\nencoding: raw\n"
          "kinds: RGB-color domain domain domain\nspacings: nan 1 1 1\n\n"
@@ -56,7 +56,6 @@ TEST_F(WindowTest, ShowsWhatReadersSay) {
     return d.workspace().toasts.log.text().find(words) != std::string::npos;
   };
   EXPECT_TRUE(d.wait([&] { return said("note: The scan is in colour"); }, 20));
-  fs::remove(file);
 }
 
 }  // namespace

@@ -12,15 +12,8 @@ class SavingWindowTest : public WindowTest {
   void SetUp() override {
     WindowTest::SetUp();
     ASSERT_TRUE(driver->waitUntilIdle());
-    folder_ = fs::temp_directory_path() / "sonoskin_saving_window_out";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
   }
-  void TearDown() override {
-    EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
-    driver.reset();
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError(); }
   void makeSurface() {
     Driver& d = *driver;
     d.session().reconstruct();
@@ -31,7 +24,7 @@ class SavingWindowTest : public WindowTest {
   // save: through the dialog; the file's path. `longest_` of the frames until it is there, the one that takes the Return included, and `all_` their time.
   fs::path save(ui::FilePurpose purpose, const std::string& name) {
     Driver& d = *driver;
-    d.workspace().files.ask(purpose, folder_, name);
+    d.workspace().files.ask(purpose, folder.path(), name);
     d.frames(4);
     EXPECT_EQ(std::system("xdotool keydown Return keyup Return"), 0);
     longest_ = all_ = 0;
@@ -43,8 +36,8 @@ class SavingWindowTest : public WindowTest {
       return !d.workspace().files.purpose && !d.session().saving();
     }));
     all_ = all.seconds();
-    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
-    return folder_ / name;
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+    return folder / name;
   }
   // How much of a picture is not its dark background.
   static double shown(const fs::path& path) {
@@ -56,7 +49,6 @@ class SavingWindowTest : public WindowTest {
     return double(count) / (image.width * image.height);
   }
 
-  fs::path folder_;
   double longest_ = 0, all_ = 0;
 };
 

@@ -92,17 +92,13 @@ TEST_F(SlowWindowTest, KeysReachTheDialogThatOpens) {
   Driver& d = *driver;
   d.session().reconstruct();
   ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
-  const fs::path folder = fs::temp_directory_path() / "sonoskin_slow_window_out";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  d.workspace().settings.folder = folder;
+  d.workspace().settings.folder = folder.path();
   during("key ctrl+s key ctrl+a type --delay 1 rested");
   ASSERT_TRUE(d.workspace().files.purpose);
   during("key Return");
   EXPECT_FALSE(d.workspace().files.purpose);
   EXPECT_TRUE(d.wait([&] { return fs::exists(folder / "rested.recipe.json"); }, 20));
   EXPECT_TRUE(d.workspace().toasts.list.empty() || !d.workspace().toasts.list.front().failure);
-  fs::remove_all(folder);
 }
 
 // A frame that fails is a message, and the next one follows.

@@ -13,6 +13,7 @@
 #include "app/window/application.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin {
 
@@ -90,7 +91,7 @@ class Driver {
   // screenshot: the display's pixels as they are.
   Image screenshot(const std::string& name) {
     frames(3);
-    const fs::path path = fs::temp_directory_path() / (name + ".png");
+    const fs::path path = pictures_ / (name + ".png");
     EXPECT_EQ(std::system(("import -silent -window root -depth 8 png32:" + path.string()).c_str()), 0);
     return readPng(path);
   }
@@ -98,6 +99,7 @@ class Driver {
   Application application;
 
  private:
+  const test::TempFolder pictures_;
   ui::WidgetRects rects_;
   bool alive_ = true;
 };
@@ -142,10 +144,11 @@ inline double difference(const Image& a, const Image& b, const Driver& driver, c
 class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
-    // The person's own settings are neither read nor written.
-    setenv("XDG_CONFIG_HOME", (fs::temp_directory_path() / "sonoskin_window_test").c_str(), 1);
+    // Neither the person's own settings are read or written, nor those of the test before.
+    setenv("XDG_CONFIG_HOME", (folder.path() / "settings").c_str(), 1);
     driver = std::make_unique<Driver>(smallPhantom());
   }
+  const test::TempFolder folder;
   std::unique_ptr<Driver> driver;
 };
 

@@ -145,10 +145,7 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   ASSERT_TRUE(d.waitUntilIdle());
   d.session().reconstruct();
   ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
-  const fs::path folder = fs::temp_directory_path() / "sonoskin_window_test_out";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  d.workspace().settings.folder = folder;
+  d.workspace().settings.folder = folder.path();
   d.press("ctrl+s");
   ASSERT_TRUE(d.workspace().files.purpose);
   d.frames(3);
@@ -156,7 +153,6 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   ASSERT_TRUE(d.wait([&] { return fs::exists(folder / "surface.recipe.json"); }, 20));
   EXPECT_GT(fs::file_size(folder / "surface.ply"), 10000u);
   EXPECT_FALSE(d.workspace().files.purpose);
-  fs::remove_all(folder);
 }
 
 int messagesWith(const Driver& d, const std::string& words) {
@@ -190,7 +186,7 @@ TEST_F(WindowTest, TellsWhatTheDriverCannotHold) {
   g.spacing = {0.05, 0.5, 0.5};
   Volume<float> volume(g);
   for (std::size_t i = 0; i < volume.data.size(); ++i) volume.data[i] = float(i % 97) / 97;
-  const fs::path file = fs::temp_directory_path() / "sonoskin_window_long.nrrd";
+  const fs::path file = folder / "long.nrrd";
   writeVolume(file, volume, Beam{});
   d.workspace().open(file);
   ASSERT_TRUE(d.wait([&] { return d.session().scan().volume->geometry.dims.x > most; }));
@@ -201,7 +197,6 @@ TEST_F(WindowTest, TellsWhatTheDriverCannotHold) {
   ASSERT_TRUE(d.wait([&] { return d.session().scan().volume->geometry.dims.x < most; }));
   ASSERT_TRUE(d.waitUntilIdle());
   EXPECT_GT(share(d.screenshot("sonoskin_held"), d, "pane.axial", [](Colour c) { return c.g > 40; }), 0.01);
-  fs::remove(file);
 }
 
 }  // namespace
