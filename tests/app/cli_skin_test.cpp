@@ -50,15 +50,8 @@ TEST(CommandLineSkin, ALookChangesThePictureAndSingleOptionsGoOnTop) {
   EXPECT_GT(usual.r, usual.b + 25) << "skin is warm";
   const glm::dvec3 plain = middle(picture(folder, ball, {"--skin.colour", "plain"}));
   EXPECT_LT(plain.r - plain.b, 0.6 * (usual.r - usual.b));
-  ASSERT_GT(skinPresets().size(), 1u);
-  bool differs = false;
-  for (const SkinPreset& look : skinPresets().subspan(1)) {
-    if (look.name != "clay" && look.name != "amber") continue;
-    differs = true;
-    const glm::dvec3 other = middle(picture(folder, ball, {"--look", std::string(look.name)}));
-    EXPECT_GT(glm::distance(other, usual), 12) << look.name;
-  }
-  EXPECT_TRUE(differs);
+  for (const char* look : {"clay", "clinic"})
+    EXPECT_GT(glm::distance(middle(picture(folder, ball, {"--look", look})), usual), 12) << look;
 }
 
 TEST(CommandLineSkin, PassesAreShown) {
