@@ -14,8 +14,8 @@ packages=(
   libglfw3-dev libx11-dev libimgui-dev libfreetype-dev fonts-inter fonts-dejavu-core
   # tests: a display without a monitor, a hand for its mouse, and screenshots
   libgtest-dev libbenchmark-dev xvfb xauth xdotool x11-utils imagemagick
-  # tests: what the fuzzers are built with
-  clang-14 libclang-rt-14-dev
+  # tests: what the fuzzers are built with, and the judge of the format
+  clang-14 libclang-rt-14-dev clang-format-14
 )
 
 missing=()
