@@ -8,10 +8,12 @@
 namespace sonoskin {
 namespace {
 
-// A ball with deep grooves: normals turn within a texel.
-std::shared_ptr<const SkinSurface> groovedBall() {
+// A ball with deep grooves: normals turn within a texel. Turned about y its charts lie elsewhere.
+std::shared_ptr<const SkinSurface> groovedBall(float turn) {
   Mesh mesh = test::icosphere(4, 1, glm::vec3(0));
   for (glm::vec3& p : mesh.positions) p *= 8 - 2 * std::exp(-20 * p.x * p.x) - std::exp(-30 * p.y * p.y);
+  const float c = std::cos(turn), s = std::sin(turn);
+  for (glm::vec3& p : mesh.positions) p = {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
   mesh.normals.clear();
   computeNormals(mesh);
   SkinQuality quality;
@@ -22,10 +24,10 @@ std::shared_ptr<const SkinSurface> groovedBall() {
 float cosine(const glm::vec3&, const glm::vec3& n) { return std::max(0.f, glm::dot(n, {0.6f, 0, 0.8f})); }
 
 struct Fit {
-  std::shared_ptr<const SkinSurface> surface = groovedBall();
+  std::shared_ptr<const SkinSurface> surface;
   ChartSides sides{*surface};
   std::vector<glm::vec4> light;  // as it is on the sides
-  Fit() {
+  explicit Fit(float turn = 0) : surface(groovedBall(turn)) {
     const Mesh& mesh = *surface->mesh;
     for (const ChartSides::Place& p : sides.places()) {
       const auto& [i, j, k] = mesh.triangles[p.triangle];
@@ -46,14 +48,19 @@ struct Fit {
   }
 };
 
+// How much is left depends on where charts end by chance: 0.18 to 0.38 of it, ball by ball.
 TEST(ChartSides, LooksFindTheLightOfTheSides) {
-  const Fit fit;
-  ASSERT_GT(fit.sides.places().size(), 1000u);
-  std::vector<glm::vec4> map = test::irradianceIn(*fit.surface, cosine);
-  const double before = fit.errorOf(map);
-  fit.sides.fit(fit.light, map);
-  EXPECT_LT(fit.errorOf(map), 0.3 * before);
-  EXPECT_LT(fit.errorOf(map), 0.01);
+  double before = 0, after = 0;  // squares
+  for (int turn = 0; turn < 6; ++turn) {
+    const Fit fit(0.13f * float(turn));
+    ASSERT_GT(fit.sides.places().size(), 1000u);
+    std::vector<glm::vec4> map = test::irradianceIn(*fit.surface, cosine);
+    before += std::pow(fit.errorOf(map), 2);
+    fit.sides.fit(fit.light, map);
+    after += std::pow(fit.errorOf(map), 2);
+    EXPECT_LT(fit.errorOf(map), 0.003) << turn;
+  }
+  EXPECT_LT(std::sqrt(after), 0.3 * std::sqrt(before));
 }
 
 TEST(ChartSides, OnlyTexelsAroundTheSidesChange) {
