@@ -61,6 +61,15 @@ TEST(Clusters, SmallAndWeakPiecesAreDropped) {
   for (const auto& v : kept) EXPECT_EQ(v.voxel.y, 0);
 }
 
+TEST(Clusters, AStrongVoxelHasTheThresholdOrMore) {
+  std::vector<SurfaceVoxel> voxels;
+  for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, 0.5f});
+  SurfaceOptions o;
+  o.minClusterArea = 10;
+  o.strongThreshold = 0.5;
+  EXPECT_EQ(dropWeakClusters(voxels, test::grid(kDims), o).size(), 12u);
+}
+
 TEST(Clusters, WeakVoxelsLiveOnStrongNeighbours) {
   std::vector<SurfaceVoxel> voxels;
   for (int i = 0; i < 12; ++i) voxels.push_back({{i, 0, 0}, {i, 0, 0}, i < 5 ? 0.9f : 0.12f});
@@ -145,6 +154,20 @@ TEST(Lobes, WeakOnesAreDropped) {
   o.lobeStrength = 0.5;
   o.clusters = ClusterRule::largest;
   EXPECT_EQ(kept(15, 0.2f), main + 5 + 15 * 15);
+}
+
+// The main lobe may hold the very first voxel, and a weak one the last.
+TEST(Lobes, TheirOrderDoesNotMatter) {
+  std::vector<SurfaceVoxel> voxels{{{5, 5, 1}, {5, 5, 1}, 0.9f}};  // an apex: with the nine below it, inner
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 60; ++i) {
+      const bool main = i < 40, bridge = i < 45 && j == 33, lobe = i >= 45 && j >= 25;
+      if (main || bridge || lobe) voxels.push_back({{i, j, 2}, {i, j, 2}, lobe ? 0.2f : 0.9f});
+    }
+  EXPECT_EQ(labelLobes(voxels, kWide)[0], 0);
+  SurfaceOptions o;
+  o.minClusterArea = 60;
+  EXPECT_EQ(dropLooseLobes(voxels, test::grid(kWide), o).size(), 1u + 40 * 40 + 5);
 }
 
 // A second face is no lobe: it is large.

@@ -66,6 +66,58 @@ TEST(FillHoles, OfTwoBordersTheOuterOneStays) {
   EXPECT_EQ(checkMesh(filled).euler, 1);  // a disc
 }
 
+// Beside a sphere of 10 mm a hole of 5 mm is small, one of 10 mm is not: its box has a squared diagonal of 200 mm².
+TEST(FillHoles, AnOutlineIsFilledWhereItIsSmallBesideItsPiece) {
+  const HoleOptions unlessSmall{12, Outline::keepUnlessSmall};
+  EXPECT_EQ(borderEdges(fillHoles(withoutCap(5, 10, 9.7f), unlessSmall)), 0u);
+  const Mesh wide = withoutCap(5, 10, 8.66f);
+  EXPECT_EQ(fillHoles(wide, unlessSmall).triangles, wide.triangles);
+  // Each piece has an outline of its own.
+  const Mesh both = joinPieces({withoutCap(4, 10, 9.5f), withoutCap(3, 2, 1.7f)});
+  const Mesh filled = fillHoles(both, unlessSmall);
+  EXPECT_EQ(borderEdges(filled), borderEdges(withoutCap(3, 2, 1.7f)));
+}
+
+// A wall through the hole, which any patch would cross.
+TEST(FillHoles, WhatWouldCrossTheSurfaceStaysOpenUnlessAskedFor) {
+  const Mesh open = withoutCap(4, 10, 8.66f);
+  Mesh wall;
+  for (const float y : {-4.f, 4.f})
+    for (const float z : {7.f, 20.f}) wall.positions.emplace_back(0.013f, y, z);
+  wall.triangles = {{0, 2, 1}, {1, 2, 3}};
+  computeNormals(wall);
+  const Mesh both = joinPieces({open, wall});
+  EXPECT_EQ(fillHoles(both, {12, Outline::fill, false}).triangles.size(), both.triangles.size());
+  const Mesh filled = fillHoles(both, {12, Outline::fill, true});
+  EXPECT_EQ(borderEdges(filled), 4u) << "those of the wall";
+  EXPECT_GT(countSelfIntersections(filled), 0u);
+}
+
+// Two spheres that face each other, cut before they meet: their caps would reach into each other, and the first wins.
+TEST(FillHoles, OfTwoPatchesThatCrossOneIsLeftOut) {
+  Mesh below = withoutCap(4, 10, 7), above = below;
+  const std::size_t rim = borderEdges(below);
+  for (glm::vec3& p : below.positions) p.z -= 9;
+  for (glm::vec3& p : above.positions) p.z = 9 - p.z;
+  for (Triangle& t : above.triangles) std::swap(t[1], t[2]);
+  computeNormals(above);
+  const Mesh both = joinPieces({below, above});
+  EXPECT_EQ(borderEdges(fillHoles(both, {18, Outline::fill, true})), 0u);
+  EXPECT_EQ(borderEdges(fillHoles(both, {18, Outline::fill, false})), rim);
+  EXPECT_EQ(borderEdges(fillHoles(below, {18, Outline::fill, false})), 0u);
+}
+
+// Two faces of a tetrahedron: of the two chords of the hole the shorter one is there already.
+TEST(FillHoles, NoEdgeIsUsedTwice) {
+  Mesh mesh;
+  mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {0, -5, 1}, {0, 5, 1}};
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+  computeNormals(mesh);
+  const MeshCheck check = checkMesh(fillHoles(mesh, {20, Outline::fill}));
+  EXPECT_TRUE(check.closed() && check.manifold() && check.oriented());
+  EXPECT_EQ(check.euler, 2);
+}
+
 TEST(FillHoles, SingleTrianglesAndOddLoops) {
   Mesh mesh = test::icosphere(3, 10, {});
   // One triangle, two neighbours, a fan around a vertex.

@@ -82,9 +82,23 @@ TEST(GaussianSum, WidthZeroSpreadsNothing) {
   EXPECT_EQ(point.variances, (std::array<double, 6>{}));
   EXPECT_EQ(point.weights[0], glm::dvec3(1));
   expectNear(halfPlaneResponse(point, -1e-6), glm::dvec3(0), 0);
+  expectNear(halfPlaneResponse(point, 0), glm::dvec3(0.5), 0);
   expectNear(halfPlaneResponse(point, 1e-6), glm::dvec3(1), 0);
   expectNear(sinusoidAmplitude(point, 0.01), glm::dvec3(1), 0);
   expectNear(gaussianTransmittance(point, 0.1), glm::dvec3(0), 0);
+  expectNear(gaussianTransmittance(point, 0), glm::dvec3(1), 0);
+  expectNear(profileAt(point, 0), glm::dvec3(0), 0);
+  expectNear(energyWithin(point, 0.1), glm::dvec3(1), 0);
+  EXPECT_LT(radiusOfEnergy(point, 0, 0.9), 1e-9);
+}
+
+// Far out, and where the share is never reached.
+TEST(GaussianSum, RadiiOfAnySize) {
+  GaussianSum wide = scaledByWidth(literatureSkin(), 1000);
+  EXPECT_NEAR(radiusOfEnergy(wide, 0, 0.5), 1000 * radiusOfEnergy(literatureSkin(), 0, 0.5), 1e-6);
+  for (glm::dvec3& w : wide.weights) w *= 0.5;
+  const double never = radiusOfEnergy(wide, 0, 0.9);
+  EXPECT_TRUE(never >= 1e6 && never < 2e6);
 }
 
 TEST(GaussianSum, NormalisedIsWhite) {

@@ -125,6 +125,31 @@ TEST(LambdaFit, ConjugateGradientsEqualADenseSolution) {
   EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(lambda.data(), A.rows()) - exact).norm(), 2e-3 * exact.norm());
 }
 
+// More points and centres than one task takes: lambda still solves its equations, and what is reported is the function.
+TEST(LambdaFit, SeveralTasksAreOneFit) {
+  ReconstructionOptions reconstruction;
+  reconstruction.smoothness = 1e-5;
+  const SortedPoints points = sortPoints(spherePoints(9000, 12, 0.05), reconstruction);
+  CentreSelection selection = selectCentres(points, reconstruction);
+  ASSERT_GT(selection.centres.size(), 1100u);
+  const FunctionForm form = FunctionForm::normalised;
+  const LambdaSystem A = assembleLambdaSystem(points, selection, form);
+  const std::vector<float> values = fitLambda(points, 1e-4, selection, form);
+  double missing = 0, right = 0;
+  for (std::size_t i = 0; i < A.size(); ++i) {
+    const double sigma = double(selection.centres[i].support);
+    double left = 1e-4 / (double(A.size()) * sigma * sigma) * double(selection.centres[i].lambda);
+    for (std::size_t e = A.rowStart[i]; e < A.rowStart[i + 1]; ++e)
+      left += A.value[e] * double(selection.centres[A.column[e]].lambda);
+    missing += std::pow(left - A.b[i], 2), right += A.b[i] * A.b[i];
+  }
+  EXPECT_LT(std::sqrt(missing), 1.1e-4 * std::sqrt(right));
+  const CsrbfModel model(selection.centres);
+  ASSERT_EQ(values.size(), points.size());
+  for (std::size_t k = 0; k < points.size(); k += 7)
+    ASSERT_NEAR(values[k], model.sample(points.position(k)).value, 1e-5) << k;
+}
+
 // For every regularisation, in both forms; and what is reported is what the function gives.
 TEST(LambdaFit, LowersTheGlobalErrorTheMoreTheLessItIsRegularised) {
   for (const FunctionForm form : {FunctionForm::normalised, FunctionForm::plain}) {
@@ -203,6 +228,19 @@ TEST(LambdaFit, TheThreadCountChangesNothing) {
   setThreadCount(0);
   ASSERT_EQ(centres[0].size(), centres[1].size());
   for (std::size_t i = 0; i < centres[0].size(); ++i) EXPECT_EQ(centres[0][i].lambda, centres[1][i].lambda);
+}
+
+TEST(LambdaFit, ProgressRises) {
+  Case c = makeCase();
+  ProgressSink sink;
+  double last = 0;
+  sink.report = [&](double fraction) {
+    EXPECT_GE(fraction, last - 1e-12);
+    last = fraction;
+  };
+  fitLambda(c.points, 1e-4, c.selection, FunctionForm::normalised, Progress(sink));
+  EXPECT_GT(last, 0.8);
+  EXPECT_LE(last, 1);
 }
 
 TEST(LambdaFit, IsUsedWhenAskedFor) {

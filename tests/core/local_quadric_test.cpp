@@ -117,6 +117,25 @@ TEST(LocalQuadric, FallsBackToAPlaneAndToAConstant) {
   EXPECT_EQ(p.A, 0);
   EXPECT_EQ(p.D, 0);
   EXPECT_NEAR(p.F, 0.3, 1e-5);
+  Cloud few;
+  for (const auto& [x, y] : {std::pair{1., 0.3}, {-0.8, 0.9}, {-0.4, -1.1}, {0.7, -0.6}})
+    few.add(x, y, 0.1 * x - 0.2 * y + 0.3);
+  const LocalFit plane = fitQuadric(few.samples(), 2);
+  EXPECT_EQ(plane.quadric.A, 0);
+  EXPECT_EQ(plane.quadric.B, 0);
+  EXPECT_EQ(plane.quadric.C, 0);
+  EXPECT_NEAR(plane.quadric.D, 0.1, 1e-6);
+  EXPECT_NEAR(plane.quadric.E, -0.2, 1e-6);
+  EXPECT_NEAR(plane.quadric.F, 0.3, 1e-6);
+  EXPECT_LT(plane.meanSquare, 1e-10);
+}
+
+TEST(LocalQuadric, OfNothingWithinTheSupportIsZero) {
+  Cloud far;
+  for (int i = 0; i < 9; ++i) far.add(3 + 0.1 * i, 0.2 * i, 1);
+  const LocalFit fit = fitQuadric(far.samples(), 2);
+  EXPECT_EQ(fit.quadric.F, 0);
+  EXPECT_EQ(fit.meanSquare, 0);
 }
 
 // Derived noise law: white noise of RMS s leaves a mean square of s² (1 - 11.40/n) with n points in the

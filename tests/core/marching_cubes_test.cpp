@@ -110,6 +110,19 @@ TEST(MarchingCubes, CellsWithAnUndefinedNodeStayEmpty) {
   for (const glm::vec3& p : mesh.positions) ASSERT_GE(p.x, 0.5f);
 }
 
+TEST(MarchingCubes, NoVertexIsUnusedWhereverNodesAreUndefined) {
+  std::mt19937 random(4);
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Volume<float> field = randomSigns(seed);
+    for (float& value : field.data)
+      if (random() % 8 == 0) value = std::numeric_limits<float>::quiet_NaN();
+    const Mesh mesh = marchingCubes(field, 0);
+    EXPECT_GT(mesh.positions.size(), 500u);
+    EXPECT_EQ(checkMesh(mesh).usedVertices, mesh.positions.size());
+    EXPECT_EQ(checkMesh(mesh).degenerateTriangles, 0u);
+  }
+}
+
 TEST(MarchingCubes, AValueAtTheLevelCountsAsOutside) {
   Geometry g;
   g.dims = {3, 3, 3};

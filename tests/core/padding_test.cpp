@@ -52,6 +52,60 @@ TEST(Padding, IsNotWhatWasRecordedUpToTheSides) {
   EXPECT_FALSE(findPadding(Volume<float>(test::grid({8, 8, 8}), 7)));  // constant: there is nothing else
 }
 
+// A recording whose sides are padded as to a share, with values from 0 to `spread`.
+Volume<float> paddedSides(double share, double spread) {
+  std::uint64_t n = 0;
+  return test::fill(test::grid({30, 30, 30}), [&](glm::dvec3 p) {
+    const double chance = test::noise(n++), recorded = 20 + 180 * test::noise(n++), value = test::noise(n++);
+    const bool onSide = std::min({p.x, p.y, p.z}) == 0 || std::max({p.x, p.y, p.z}) == 29;
+    return onSide && chance < share ? spread * value : recorded;
+  });
+}
+
+TEST(Padding, IsMostOfTheSides) {
+  const auto found = findPadding(paddedSides(0.56, 0));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->least, 0);
+  EXPECT_EQ(found->most, 0);
+  EXPECT_FALSE(findPadding(paddedSides(0.45, 0)));
+}
+
+// A plate of which the two large sides are padded, or one of them: too little.
+TEST(Padding, AllSixSidesCount) {
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 dims(20);
+    dims[axis] = 6;
+    const auto plate = [&](bool first, bool last) {
+      std::uint64_t n = 0;
+      return test::fill(test::grid(dims), [&](glm::dvec3 p) {
+        const double recorded = 20 + 180 * test::noise(n++);
+        return (first && p[axis] == 0) || (last && p[axis] == 5) ? -1 : recorded;
+      });
+    };
+    EXPECT_TRUE(findPadding(plate(true, true))) << axis;
+    EXPECT_FALSE(findPadding(plate(true, false))) << axis;
+    EXPECT_FALSE(findPadding(plate(false, true))) << axis;
+  }
+  Volume<float> half(test::grid({2, 2, 2}), 0);
+  for (std::size_t v = 0; v < 4; ++v) half.data[v] = 50.f + 10 * float(v);
+  EXPECT_FALSE(findPadding(half)) << "half of the sides is not most of them";
+}
+
+// 2 % of what is recorded, from which a single voxel does not lead away.
+TEST(Padding, MayBeNearlyAlike) {
+  for (const float brightest : {200.f, 1e4f, -1e4f}) {
+    Volume<float> narrow = paddedSides(0.9, 3), wide = paddedSides(0.9, 8);
+    narrow.at(9, 9, 9) = wide.at(9, 9, 9) = brightest;
+    const auto found = findPadding(narrow);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->least, 0);
+    EXPECT_LT(found->least, 0.1f);
+    EXPECT_GT(found->most, 2.9f);
+    EXPECT_LE(found->most, 3);
+    EXPECT_FALSE(findPadding(wide)) << brightest;
+  }
+}
+
 TEST(Normalise, DoesNotDependOnTheType) {
   const auto scan = ballIn([](double) { return 0.0; });
   const Volume<float> whole = normalised(scan).volume;

@@ -135,17 +135,32 @@ TEST(Thinning, FacingKeepsTheSideTowardTheProbe) {
   for (const auto& s : withSides) EXPECT_LT(double(s.position.y), shell.centre.y + 0.8 * 15);
 }
 
+// What lies on the volume's own sides has no neighbours to be compared with.
+TEST(Thinning, TheOutermostVoxelsAreNoSurface) {
+  const Geometry g = test::grid({20, 20, 20});
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {0.0, 19.0}) {
+      const auto v = test::fill(g, [&](glm::dvec3 p) { return p[axis] / 20; });
+      const auto u = test::fill(g, [&](glm::dvec3 p) { return 1 / (1 + 4 * std::pow(p[axis] - side, 2)); });
+      auto options = everywhere();
+      options.threshold = 0.01;
+      EXPECT_TRUE(thin(u, v, {}, options).empty()) << axis << " " << side;
+    }
+}
+
 TEST(Thinning, NothingIsFoundNearTheSidesOfTheView) {
-  const Shell shell({48, 48, 48}, glm::dvec3(1), 15);
-  auto options = everywhere();
-  options.borderMargin = 3;
-  ScanFrame frame;
-  frame.view.sides = {glm::vec4(1, 0, 0, -30)};  // the view ends at x = 30
-  const auto all = thin(shell.u, shell.v, {}, options), within = thin(shell.u, shell.v, frame, options);
-  EXPECT_LT(within.size(), all.size());
-  EXPECT_EQ(within.size(),
-            std::size_t(std::ranges::count_if(all, [](const auto& s) { return s.voxel.x <= 27; })));
-  for (const auto& s : within) EXPECT_LE(s.voxel.x, 27);
+  for (const double spacing : {1.0, 2.0}) {
+    const Shell shell({48, 48, 48}, glm::dvec3(spacing), 15 * spacing);
+    auto options = everywhere();
+    options.borderMargin = 3;  // voxels
+    ScanFrame frame;
+    frame.view.sides = {glm::vec4(1, 0, 0, -30 * spacing)};  // the view ends at x = 30 voxels
+    const auto all = thin(shell.u, shell.v, {}, options), within = thin(shell.u, shell.v, frame, options);
+    EXPECT_LT(within.size(), all.size());
+    EXPECT_EQ(within.size(),
+              std::size_t(std::ranges::count_if(all, [](const auto& s) { return s.voxel.x <= 27; })));
+    for (const auto& s : within) EXPECT_LE(s.voxel.x, 27);
+  }
 }
 
 TEST(Thinning, StopsWhenCancelled) {

@@ -65,7 +65,7 @@ bool solveCholesky(std::array<std::array<double, N>, N> M, std::array<double, N>
   return true;
 }
 
-// The normal equations [Σ w V Vᵀ] a = Σ w w V for V = (u², 2uv, v², u, v, 1) [thesis 3.17]
+// The normal equations [Σ w V Vᵀ] a = Σ w w V for V = (u², 2uv, v², u, v, 1) [thesis 3.17], of samples of some weight
 LocalQuadric solveQuadric(const Moments& m) {
   std::array<std::array<double, 6>, 6> M{};
   M[0] = {m.u40};
@@ -83,7 +83,7 @@ LocalQuadric solveQuadric(const Moments& m) {
   P[2] = {m.u10, m.u01, m.u00};
   std::array<double, 3> p{m.w10, m.w01, m.w00};
   if (solveCholesky(P, p)) return {0, 0, 0, p[0], p[1], p[2]};
-  return {0, 0, 0, 0, 0, m.u00 > 0 ? double(m.w00) / double(m.u00) : 0};
+  return {0, 0, 0, 0, 0, double(m.w00) / double(m.u00)};
 }
 
 // Σ w_j (g/|∇g|)² with |∇g|² = 1 + (2Au + 2Bv + D)² + (2Bu + 2Cv + E)²
