@@ -21,32 +21,24 @@ void drawMesh(const GpuMesh& mesh, gl::Program& program, const glm::mat4& viewPr
 
 MeshView::MeshView()
     : shadowProgram_({"mesh/shadow.vert", "mesh/shadow.frag"}),
-      surfaceProgram_({"mesh/mesh.vert", "mesh/mesh.frag"}),
-      shadow_(shadowBuffer()),
-      surface_(surfaceBuffer()) {}
+      surfaceProgram_({"mesh/mesh.vert", "mesh/mesh.frag"}) {}
 
 void MeshView::draw(const MeshViewInput& input, const gl::Target& target) {
-  const float aspect = float(target.size.x) / float(target.size.y);
   const Box& box = input.mesh.box();
-  const glm::mat4 projection = input.camera.projection(aspect, box);
-  const LightView lightView(input.lighting.key.direction, box);
-  surface_.fit(target.size * input.supersampling);
-  surface_.clear({});
-  shadow_.fit(glm::ivec2(input.shadowSize));
-  shadow_.clear({});
-  drawMesh(input.mesh, shadowProgram_, lightView.projection(), shadow_);
-  drawMesh(input.mesh, surfaceProgram_, projection * input.camera.view(), surface_);
+  buffer_.begin({.camera = input.camera,
+                 .lighting = input.lighting,
+                 .box = box,
+                 .pixels = target.size,
+                 .samplesPerSide = input.supersampling,
+                 .shadowSize = input.shadowSize});
+  const glm::mat4 viewProjection = buffer_.viewProjection();
+  drawMesh(input.mesh, shadowProgram_, buffer_.lightView.projection(), buffer_.shadow);
+  drawMesh(input.mesh, surfaceProgram_, viewProjection, buffer_.surface);
   const gl::Texture* outline = nullptr;
   if (input.supersampling > 1)
-    outline = &outline_.draw(surface_.size(), projection * input.camera.view(), [&] { input.mesh.draw(); });
-  shading_.draw({.surface = surface_,
-                 .shadow = shadow_,
-                 .lightView = lightView,
-                 .camera = input.camera,
-                 .lighting = input.lighting,
-                 .projection = projection,
+    outline = &outline_.draw(buffer_.surface.size(), viewProjection, [&] { input.mesh.draw(); });
+  shading_.draw({.buffer = buffer_,
                  .look = input.look,
-                 .samplesPerSide = input.supersampling,
                  .size = box.diagonal(),
                  .unseenShade = input.unseenShade,
                  .outline = outline},

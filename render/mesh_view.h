@@ -1,10 +1,6 @@
 #pragma once
 
-#include "render/camera.h"
-#include "render/gl/framebuffer.h"
-#include "render/gl/program.h"
 #include "render/gpu_mesh.h"
-#include "render/lighting.h"
 #include "render/outline.h"
 #include "render/surface_shading.h"
 
@@ -32,11 +28,11 @@ class MeshView {
 
   void draw(const MeshViewInput& input, const gl::Target& target);
   // surface: the normals and depths that were drawn last.
-  const gl::Framebuffer& surface() const { return surface_; }
+  const gl::Framebuffer& surface() const { return buffer_.surface; }
 
  private:
   gl::Program shadowProgram_, surfaceProgram_;
-  gl::Framebuffer shadow_, surface_;
+  SurfaceBuffer buffer_;
   SurfaceShading shading_;
   Outline outline_;
 };

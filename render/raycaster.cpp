@@ -100,8 +100,6 @@ gl::Program& Raycaster::Caster::programFor(const RaycastInput& input) {
 
 Raycaster::Raycaster()
     : finishProgram_({"common/fullscreen.vert", "volume/finish.frag"}),
-      surface_(surfaceBuffer()),
-      shadow_(shadowBuffer()),
       translucent_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .filter = gl::Filter::linear}),
       small_({.size = {1, 1}, .filter = gl::Filter::linear}) {}
 
@@ -117,46 +115,34 @@ void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target)
   const bool coarse = input.raysPerPixel < 1;
   const int samples = coarse ? 1 : std::clamp(int(std::lround(input.raysPerPixel)), 1, 2);
   const glm::ivec2 size = coarse ? scaled(target.size, input.raysPerPixel) : target.size;
-  const float aspect = float(size.x) / float(size.y);
   const Box box = worldBox(input.volume.geometry());
-  const glm::mat4 projection = input.camera.projection(aspect, box);
-  const LightView lightView(input.lighting.key.direction, box);
-  surface_.fit(size * samples);
-  surface_.clear({});
-  shadow_.fit(glm::ivec2(input.shadowSize));
-  shadow_.clear({});
-  if (input.volume.floats()) {
-    castShadow(input, lightView);
-    gl::Program& program = surfaceCaster_.programFor(input);
-    setRays(program, input, viewOf(input.camera, aspect));
-    setValues(program, input);
-    program.set("depthTerms", depthTerms(projection));
-    surface_.bind();
-    program.use();
-    gl::drawFullScreen(gl::DepthWrite::on);
-  }
-  if (coarse) small_.fit(size);
-  shading_.draw({.surface = surface_,
-                 .shadow = shadow_,
-                 .lightView = lightView,
-                 .camera = input.camera,
+  buffer_.begin({.camera = input.camera,
                  .lighting = input.lighting,
-                 .projection = projection,
-                 .look = MeshLook::amber,
+                 .box = box,
+                 .pixels = size,
                  .samplesPerSide = samples,
-                 .size = 0.7f * box.diagonal()},
+                 .shadowSize = input.shadowSize});
+  if (input.volume.floats()) castSurface(input);
+  if (coarse) small_.fit(size);
+  shading_.draw({.buffer = buffer_, .look = MeshLook::amber, .size = 0.7f * box.diagonal()},
                 coarse ? gl::Target(small_) : target);
   if (coarse) gl::copyStretched(small_, target);
 }
 
-void Raycaster::castShadow(const RaycastInput& input, const LightView& lightView) {
-  gl::Program& program = shadowCaster_.programFor(input);
-  setRays(program, input, viewOf(lightView));
-  setValues(program, input);
-  program.set("depthTerms", glm::vec2(0.5f / lightView.radius, 0));
-  shadow_.bind();
-  program.use();
-  gl::drawFullScreen(gl::DepthWrite::on);
+void Raycaster::castSurface(const RaycastInput& input) {
+  const auto cast = [&](Caster& caster, const View& view, glm::vec2 depths, const gl::Framebuffer& to) {
+    gl::Program& program = caster.programFor(input);
+    setRays(program, input, view);
+    setValues(program, input);
+    program.set("depthTerms", depths);
+    to.bind();
+    program.use();
+    gl::drawFullScreen(gl::DepthWrite::on);
+  };
+  const glm::ivec2 pixels = buffer_.frame.pixels;
+  cast(shadowCaster_, viewOf(buffer_.lightView), {0.5f / buffer_.lightView.radius, 0}, buffer_.shadow);
+  cast(surfaceCaster_, viewOf(input.camera, float(pixels.x) / float(pixels.y)),
+       depthTerms(buffer_.projection), buffer_.surface);
 }
 
 void Raycaster::drawTranslucent(const RaycastInput& input, const gl::Target& target) {

@@ -53,13 +53,13 @@ class Raycaster {
   // draw: to the whole of the target, the background included.
   void draw(const RaycastInput& input, const gl::Target& target);
   // surface: the normals and depths that were drawn last (surface).
-  const gl::Framebuffer& surface() const { return surface_; }
+  const gl::Framebuffer& surface() const { return buffer_.surface; }
   // translucent: the premultiplied scene-linear colours and opacities that were drawn last (translucent).
   const gl::Framebuffer& translucent() const { return translucent_; }
 
  private:
   void drawSurface(const RaycastInput& input, const gl::Target& target);
-  void castShadow(const RaycastInput& input, const LightView& lightView);
+  void castSurface(const RaycastInput& input);
   void drawTranslucent(const RaycastInput& input, const gl::Target& target);
   void castTranslucent(const RaycastInput& input, float aspect);
   void updateLight(const RaycastInput& input);
@@ -75,7 +75,8 @@ class Raycaster {
   Caster surfaceCaster_{"volume/surface.frag"}, shadowCaster_{"volume/surface.frag", {"DEPTH_ONLY"}},
       translucentCaster_{"volume/translucent.frag"};
   gl::Program finishProgram_;
-  gl::Framebuffer surface_, shadow_, translucent_, small_;
+  SurfaceBuffer buffer_;
+  gl::Framebuffer translucent_, small_;
   gl::Texture light_, transfer_;
   Key lightKey_;
   SurfaceShading shading_;

@@ -1,7 +1,13 @@
-// Fills a surface buffer, see surface/shade.frag. Little work here, much there: small triangles make a software
-// rasteriser run this shader for many more pixels than it keeps.
-in vec4 normalAndSeen;
+// Fills a surface buffer. Little work here, much where it is shaded: small triangles make a software rasteriser run this
+// shader for many more pixels than it keeps.
+#include "surface/buffer.glsl"
+
+in vec4 normalAndKnown;
 
 layout(location = 0) out vec4 surface;
 
-void main() { surface = gl_FrontFacing ? normalAndSeen : vec4(-normalAndSeen.xyz, -1.0 - normalAndSeen.w); }
+void main() {
+  vec3 normal = normalAndKnown.xyz;
+  float known = normalAndKnown.w;
+  surface = gl_FrontFacing ? outerSurface(normal, known) : innerSurface(-normal, known);
+}

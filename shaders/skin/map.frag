@@ -1,6 +1,7 @@
 // One of the maps on the surface, as a colour: the passes that people may look at.
 // MAP: 0 linear light; 1 colour; 2 one value; 3 direction; 4 signed value; 5 millimetres per texel; 6 numbers of charts.
 #include "common/colour.glsl"
+#include "surface/buffer.glsl"
 
 uniform sampler2D surfaceMap, placeMap, depthMap;
 uniform sampler2D map;
@@ -37,7 +38,7 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   if (texelFetch(depthMap, texel, 0).r == 1.0) discard;  // the background is there already
   vec3 shown = shownOf(textureLod(map, texelFetch(placeMap, texel, 0).rg, 0.0));
-  if (texelFetch(surfaceMap, texel, 0).w < 0.0) shown *= 0.35;
+  if (isInner(texelFetch(surfaceMap, texel, 0).w)) shown *= 0.35;
 #if defined(LINEAR)
   colour = vec4(shown, 1.0);
 #else

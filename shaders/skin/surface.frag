@@ -1,5 +1,5 @@
-// Little work here, see mesh/mesh.frag: the normal and the place in the atlas; w: from 0.5 (filled in) to 1
-// (measured), less than 0 on inner sides.
+// Fills a surface buffer (surface/buffer.glsl) whose material is the place in the atlas. Little work here, see
+// mesh/mesh.frag. w: from 0.5 (filled in) to 1 (measured), its negative on inner sides.
 in vec4 normalIn;
 in vec2 uvIn;
 

@@ -1,6 +1,6 @@
-// From a surface buffer (normals and depth, several samples per pixel) to an sRGB picture. Pixels whose samples
-// lie on one smooth piece of the surface are shaded once, the others once per sample.
-// Variants: SKIN, AMBER (a volume's surface), PARTS (w tells colours of parts), or neutral clay; SAMPLES (per pixel, along one side);
+// From a surface buffer (several samples per pixel) to an sRGB picture. Pixels whose samples lie on one smooth piece of
+// the surface are shaded once, the others once per sample.
+// Variants: SKIN, AMBER, PARTS (w tells colours of parts), or neutral clay; SAMPLES (per pixel, along one side);
 // OUTLINE (outlineMap counts more of them where the surface ends).
 #include "common/colour.glsl"
 #include "common/lighting.glsl"
@@ -8,15 +8,14 @@
 #include "common/occlusion.glsl"
 #include "common/outline.glsl"
 #include "common/screen.glsl"
+#include "surface/buffer.glsl"
 #if defined(PARTS)
 #include "surface/part_colours.glsl"
 #endif
 
 in vec2 uv;
 
-uniform sampler2D normalMap;  // xyz: toward the outside, any length; w: what the probe can have seen, 0 to 1; w is
-                              // negative, -1 less, on inner sides, which point toward the eye
-uniform sampler2D depthMap;
+uniform sampler2D normalMap, depthMap;  // the surface buffer
 uniform sampler2D occlusionMap;  // see surface/occlusion.frag
 uniform float unseenShade;    // 0 to 1: how far regions that the probe cannot have seen are greyed
 uniform float exposure;
@@ -54,15 +53,15 @@ vec2 arrivingLight(ivec2 pixel, int taps) {
   return sum / max(weights, 1e-3);
 }
 
-vec3 shade(vec3 position, vec3 normal, float seen, vec2 light) {
+vec3 shade(vec3 position, vec3 normal, float w, vec2 light) {
   float arriving = light.x;
   vec3 toEye = normalize(eye - position);
-  bool inner = seen < 0.0;
+  bool inner = isInner(w);
   vec3 albedo = skinAlbedo;
 #if defined(PARTS)
-  albedo = partColour(inner ? -1.0 - seen : seen);
+  albedo = partColour(knownOf(w));
 #endif
-  float unseen = unseenShade * (1.0 - (inner ? 1.0 : seen));
+  float unseen = unseenShade * (1.0 - (inner ? 1.0 : w));
   albedo = mix(albedo, vec3(luminance(albedo)) * vec3(0.55, 0.6, 0.7), unseen);
   vec3 key = keyColour * pow(vec3(light.y), shadowPower);
   vec3 fill = fillColour * mix(1.0, arriving, 0.6);

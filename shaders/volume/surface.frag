@@ -1,6 +1,7 @@
-// First hit of an iso-surface: bright is inside. Fills a surface buffer, see surface/shade.frag.
+// First hit of an iso-surface: bright is inside. Fills a surface buffer.
 // Variant: DEPTH_ONLY (a shadow map).
 #include "common/noise.glsl"
+#include "surface/buffer.glsl"
 #include "volume/ray.glsl"
 
 in vec2 uv;
@@ -73,7 +74,7 @@ void main() {
   if (!atSide) t = refined(ray, t);
   vec3 index = ray.origin + t * ray.direction;
   // Where the box cuts through tissue, one looks at its inside.
-  surface = atSide ? vec4(sideNormal(index), -2.0) : vec4(outwardNormal(index), 1.0);
+  surface = atSide ? innerSurface(sideNormal(index), 1.0) : outerSurface(outwardNormal(index), 1.0);
   gl_FragDepth = clamp(depthTerms.y - depthTerms.x / t, 0.0, 1.0);
 #endif
 }
