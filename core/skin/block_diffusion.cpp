@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kLevels = PointDiffusion::kLevels;
 constexpr std::size_t kFewPlaces = 20'000;  // are asked at any cost
-constexpr std::ptrdiff_t kRun = 16384;      // texels or samples of a task
+constexpr std::ptrdiff_t kPerTask = 16384;  // texels or samples of a task
 
 glm::vec4 colourOf(const glm::vec4& premultiplied) {
   return premultiplied.a > 0 ? glm::vec4(glm::vec3(premultiplied) / premultiplied.a, 1)
@@ -28,8 +28,8 @@ glm::vec4 colourOf(const glm::vec4& premultiplied) {
 template <class F>
 void forEach(std::size_t count, F&& f) {
   const auto all = std::ptrdiff_t(count);
-  parallelFor((all + kRun - 1) / kRun, [&](std::ptrdiff_t task) {
-    for (std::ptrdiff_t i = task * kRun; i < std::min(all, (task + 1) * kRun); ++i) f(std::size_t(i));
+  parallelFor((all + kPerTask - 1) / kPerTask, [&](std::ptrdiff_t task) {
+    for (std::ptrdiff_t i = task * kPerTask; i < std::min(all, (task + 1) * kPerTask); ++i) f(std::size_t(i));
   });
 }
 
@@ -81,10 +81,10 @@ BlockDiffusion::State::State(std::shared_ptr<const SkinSurface> s, const Gaussia
 }
 
 std::size_t BlockDiffusion::State::affordablePlaces(int level) const {
-  constexpr double kMostLooks = 4e8;  // at bunches, twice as many as a head needs: 2 s of CPU
+  constexpr double kMostLooks = 4e8;  // at clusters, twice as many as a head needs: 2 s of CPU
   if (!diffusion->resolves(level)) return 0;
   return std::size_t(
-      std::min(kMostLooks / std::max(diffusion->crowding(level), 1.0), double(TriangleLattice::kMost)));
+      std::min(kMostLooks / std::max(diffusion->meanNeighbours(level), 1.0), double(TriangleLattice::kMost)));
 }
 
 AreaPoints BlockDiffusion::State::sample(const Progress& progress) {

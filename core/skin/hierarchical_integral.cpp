@@ -26,14 +26,14 @@ std::uint64_t cellCode(const glm::vec3& position, const Box& box) {
 
 }  // namespace
 
-struct HierarchicalIntegral::Sums {
+struct HierarchicalIntegral::Accumulator {
   const glm::vec3 position, normal;
   const RadialProfile& profile;
   const Reach reach;
   const bool normalised;
   glm::dvec3 light{0}, unit{0};
 
-  void add(const Place& place) {
+  void add(const Source& place) {
     const bool local = isLocal(place.normal, normal);
     if (!local && reach == Reach::local) return;
     const glm::vec3 toPower = place.powerPosition - position;
@@ -70,18 +70,18 @@ HierarchicalIntegral::HierarchicalIntegral(const SurfaceSamples& samples,
 }
 
 // A run of samples as one: where its area and where its light is.
-HierarchicalIntegral::Place HierarchicalIntegral::whole(std::uint32_t first, std::uint32_t last) const {
+HierarchicalIntegral::Source HierarchicalIntegral::merged(std::uint32_t first, std::uint32_t last) const {
   double area = 0, brightness = 0;
   glm::dvec3 place(0), normal(0), power(0), powerPlace(0);
   for (std::uint32_t s = first; s < last; ++s) {
-    const Place& p = samples_[s];
+    const Source& p = samples_[s];
     const glm::dvec3 position(p.position);
     const double bright = double(p.power.x) + double(p.power.y) + double(p.power.z);
     area += double(p.area), place += double(p.area) * position;
     brightness += bright, powerPlace += bright * position;
     normal += double(p.area) * glm::dvec3(p.normal), power += glm::dvec3(p.power);
   }
-  Place result;
+  Source result;
   result.area = float(area);
   result.position = area > 0 ? glm::vec3(place / area) : samples_[first].position;
   result.normal = glm::vec3(normal / std::max(glm::length(normal), 1e-12));
@@ -93,7 +93,7 @@ HierarchicalIntegral::Place HierarchicalIntegral::whole(std::uint32_t first, std
 void HierarchicalIntegral::build(std::uint32_t first, std::uint32_t last, int level,
                                  std::span<const std::uint64_t> codes) {
   const std::size_t number = nodes_.size();
-  nodes_.push_back({whole(first, last), first, 0, 0});
+  nodes_.push_back({merged(first, last), first, 0, 0});
   if (last - first <= kSamplesOfLeaf || level > kLevels) {
     nodes_[number].count = last - first;
   } else {
@@ -111,13 +111,13 @@ void HierarchicalIntegral::build(std::uint32_t first, std::uint32_t last, int le
 
 glm::vec3 HierarchicalIntegral::at(const glm::vec3& position, const glm::vec3& normal,
                                    const RadialProfile& profile, const IntegralOptions& options) const {
-  Sums sums{position, normal, profile, options.reach, options.normalised};
+  Accumulator sums{position, normal, profile, options.reach, options.normalised};
   const auto eps = float(options.eps);
   for (std::uint32_t i = 0; i < nodes_.size();) {
     const Node& node = nodes_[i];
-    const glm::vec3 d = node.whole.position - position;
-    if (node.whole.area < eps * glm::dot(d, d)) {
-      sums.add(node.whole);
+    const glm::vec3 d = node.source.position - position;
+    if (node.source.area < eps * glm::dot(d, d)) {
+      sums.add(node.source);
       i = node.next;
     } else if (node.count > 0) {
       for (std::uint32_t s = node.first; s < node.first + node.count; ++s) sums.add(samples_[s]);

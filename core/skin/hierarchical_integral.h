@@ -21,7 +21,7 @@ struct IntegralOptions {
   bool normalised = true;
 };
 
-// HierarchicalIntegral: integrates light with any profile over a surface, near samples one by one and far ones in bunches.
+// HierarchicalIntegral: integrates light with any profile over a surface, near samples one by one and far ones in clusters.
 //   method    an octree; a node holds its area, its power and where that is            [Jensen, Buhler 2002]
 //   cost      to build: 600,000 samples, 0.2 s; a target: 0.04 ms (eps 0.05)
 //   threads   at() may be called from several
@@ -36,22 +36,22 @@ class HierarchicalIntegral {
                const IntegralOptions& options) const;
 
  private:
-  struct Place {  // a sample, or a node as one
+  struct Source {  // a sample, or a node as one
     glm::vec3 position, normal, power, powerPosition;
     float area = 0;
   };
   struct Node {
-    Place whole;
+    Source source;
     std::uint32_t first = 0, count = 0;  // of its samples; count 0: not a leaf
     std::uint32_t next = 0;              // node after this one and all below it
   };
-  struct Sums;
+  struct Accumulator;
 
-  Place whole(std::uint32_t first, std::uint32_t last) const;
+  Source merged(std::uint32_t first, std::uint32_t last) const;
   void build(std::uint32_t first, std::uint32_t last, int level, std::span<const std::uint64_t> codes);
 
-  std::vector<Place> samples_;  // in the order of the tree
-  std::vector<Node> nodes_;     // children follow their parent
+  std::vector<Source> samples_;  // in the order of the tree
+  std::vector<Node> nodes_;      // children follow their parent
 };
 
 }  // namespace sonoskin

@@ -6,20 +6,20 @@
 namespace sonoskin {
 namespace {
 
-using Place = std::vector<double>;
-using Function = std::function<double(const Place&)>;
+using Point = std::vector<double>;
+using Function = std::function<double(const Point&)>;
 
 // from + t (to - from)
-Place along(const Place& from, const Place& to, double t) {
-  Place place(from.size());
+Point along(const Point& from, const Point& to, double t) {
+  Point place(from.size());
   for (size_t i = 0; i < from.size(); ++i) place[i] = from[i] + t * (to[i] - from[i]);
   return place;
 }
 
-std::vector<Minimum> firstSimplex(const Function& function, const Place& start, double step) {
+std::vector<Minimum> firstSimplex(const Function& function, const Point& start, double step) {
   std::vector<Minimum> simplex{{start, function(start)}};
   for (size_t i = 0; i < start.size(); ++i) {
-    Place corner = start;
+    Point corner = start;
     corner[i] += step;
     simplex.push_back({corner, function(corner)});
   }
@@ -27,8 +27,8 @@ std::vector<Minimum> firstSimplex(const Function& function, const Place& start, 
 }
 
 // The middle of all corners but the last.
-Place middleOfBest(const std::vector<Minimum>& simplex) {
-  Place middle(simplex[0].place.size(), 0.0);
+Point middleOfBest(const std::vector<Minimum>& simplex) {
+  Point middle(simplex[0].place.size(), 0.0);
   for (size_t c = 0; c + 1 < simplex.size(); ++c)
     for (size_t i = 0; i < middle.size(); ++i) middle[i] += simplex[c].place[i] / double(simplex.size() - 1);
   return middle;
@@ -38,9 +38,9 @@ Place middleOfBest(const std::vector<Minimum>& simplex) {
 // Gives the number of evaluations.
 int improve(const Function& function, std::vector<Minimum>& simplex) {
   Minimum& worst = simplex.back();
-  const Place middle = middleOfBest(simplex);
+  const Point middle = middleOfBest(simplex);
   const auto at = [&](double t) {
-    Place place = along(middle, worst.place, t);
+    Point place = along(middle, worst.place, t);
     const double value = function(place);
     return Minimum{std::move(place), value};
   };
@@ -68,7 +68,7 @@ int improve(const Function& function, std::vector<Minimum>& simplex) {
 
 }  // namespace
 
-Minimum findMinimum(const Function& function, const Place& start, const NelderMeadOptions& options) {
+Minimum findMinimum(const Function& function, const Point& start, const NelderMeadOptions& options) {
   std::vector<Minimum> simplex = firstSimplex(function, start, options.step);
   const auto byValue = [](const Minimum& a, const Minimum& b) { return a.value < b.value; };
   int evaluations = int(simplex.size());

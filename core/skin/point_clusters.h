@@ -16,20 +16,20 @@ struct AreaPoints {
   std::size_t size() const { return positions.size(); }
 };
 
-// PointClusters: points in bunches.
-//   points    per bunch: its middle, mean normal and area
-//   bunch     per point: the number of its bunch
-//   variance  mm^2 per axis: how far the points lie from their bunches' middles
+// PointClusters: points in clusters.
+//   points      per cluster: its middle, mean normal and area
+//   clusterOf   per point: the number of its cluster
+//   variance    mm^2 per axis: how far the points lie from their clusters' middles
 struct PointClusters {
   AreaPoints points;
-  std::vector<std::uint32_t> bunch;
+  std::vector<std::uint32_t> clusterOf;
   double variance = 0;
 };
 
-// clusterPoints: bunches around points that are chosen at least `distance` mm apart; each point goes to the nearest one
-// that faces about the same way. The middle of a bunch is its centre of mass, so that sums over bunches in place of
+// clusterPoints: clusters around points that are chosen at least `distance` mm apart; each point goes to the nearest one
+// that faces about the same way. The middle of a cluster is its centre of mass, so that sums over clusters in place of
 // points are right to the second order.
-//   cost     1 million points into 150,000 bunches: 0.2 s on one core
+//   cost     1 million points into 150,000 clusters: 0.2 s on one core
 //   errors   Cancelled
 PointClusters clusterPoints(const AreaPoints& points, double distance, const Progress& progress = {});
 

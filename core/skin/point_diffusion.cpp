@@ -12,11 +12,11 @@ namespace sonoskin {
 namespace {
 
 constexpr double kWidths = 3;          // Gaussians are cut off there
-constexpr double kSpacing = 0.5;       // widths between a level's bunches, mean
-constexpr double kPlaneSpacing = 0.9;  // widths between bunches from which on a sum is too rough
+constexpr double kSpacing = 0.5;       // widths between a level's clusters, mean
+constexpr double kPlaneSpacing = 0.9;  // widths between clusters from which on a sum is too rough
 constexpr double kSpacingOfChoice =
-    1.1;  // mean spacing of bunches, over the least distance of their chosen points
-constexpr double kLeastVariance = 0.2;  // of a Gaussian that is summed, in squares of the bunches' spacing
+    1.1;  // mean spacing of clusters, over the least distance of their chosen points
+constexpr double kLeastVariance = 0.2;  // of a Gaussian that is summed, in squares of the clusters' spacing
 constexpr std::size_t kPlacesPerTask = 512;
 
 // A Gaussian that is cut off and then has the variance that was asked for.
@@ -52,9 +52,9 @@ std::size_t nearestPoint(const PointGrid& grid, const AreaPoints& points, const 
 
 // The plane that fits the light around a place best, near points counting more. A little of its slope is held back, so
 // that points on one side alone are not continued too far.
-class Plane {
+class PlaneFit {
  public:
-  Plane(const glm::vec3& x, const glm::vec3& n, float reach) : x_(x), inverseReach_(1 / reach) {
+  PlaneFit(const glm::vec3& x, const glm::vec3& n, float reach) : x_(x), inverseReach_(1 / reach) {
     side_ = glm::normalize(glm::cross(n, std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
     up_ = glm::cross(n, side_);
   }
@@ -96,26 +96,26 @@ AreaPoints inOrder(const AreaPoints& points, const std::vector<std::uint32_t>& o
 
 }  // namespace
 
-PointDiffusion::Level PointDiffusion::makeLevel(const PointClusters& bunches, const PointClusters& base,
+PointDiffusion::Level PointDiffusion::makeLevel(const PointClusters& clusters, const PointClusters& base,
                                                 double variance) const {
   constexpr double kLeastReach = 1.6;  // in spacings
   Level level;
   const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
-  const double spacing = std::max(1e-3, std::sqrt(area / double(bunches.points.size())));
-  const double blurred = base.variance + bunches.variance, least = kLeastVariance * spacing * spacing;
+  const double spacing = std::max(1e-3, std::sqrt(area / double(clusters.points.size())));
+  const double blurred = base.variance + clusters.variance, least = kLeastVariance * spacing * spacing;
   const CutGaussian gaussian = cutGaussian(std::max(variance - blurred, least), kLeastReach * spacing);
   level.resolved = variance > 0.5 * (blurred + least);
   if (!level.resolved) return level;
   level.readsPlane = spacing > kPlaneSpacing * std::sqrt(gaussian.variance);
   level.reach = float(gaussian.reach);
   level.exponent = float(-0.5 / gaussian.variance);
-  level.grid = PointGrid(bunches.points.positions, 0.5f * level.reach);
-  level.points = inOrder(bunches.points, level.grid.order());
+  level.grid = PointGrid(clusters.points.positions, 0.5f * level.reach);
+  level.points = inOrder(clusters.points, level.grid.order());
   std::vector<std::uint32_t> place(level.points.size());
   for (std::uint32_t i = 0; i < place.size(); ++i) place[level.grid.order()[i]] = i;
-  level.bunch.reserve(base.bunch.size());
-  for (const std::uint32_t b : base.bunch)
-    level.bunch.push_back(place[bunches.bunch.empty() ? b : bunches.bunch[b]]);
+  level.clusterOf.reserve(base.clusterOf.size());
+  for (const std::uint32_t b : base.clusterOf)
+    level.clusterOf.push_back(place[clusters.clusterOf.empty() ? b : clusters.clusterOf[b]]);
   return level;
 }
 
@@ -131,15 +131,15 @@ PointDiffusion::PointDiffusion(const AreaPoints& samples, const GaussianSum& pro
     // Bunches lie farther apart than the points: a Gaussian that these do not resolve needs none.
     if (variance <= 0.5 * (base.variance + kLeastVariance * apart)) continue;
     const Progress part = progress.part(0.3 + 0.14 * (i - 1), 0.3 + 0.14 * i);
-    const PointClusters bunches = spacing <= kBaseSpacing * kSpacingOfChoice
-                                      ? PointClusters{base.points, {}, 0}
-                                      : clusterPoints(base.points, spacing / kSpacingOfChoice, part);
-    levels_[std::size_t(i - 1)] = makeLevel(bunches, base, variance);
+    const PointClusters clusters = spacing <= kBaseSpacing * kSpacingOfChoice
+                                       ? PointClusters{base.points, {}, 0}
+                                       : clusterPoints(base.points, spacing / kSpacingOfChoice, part);
+    levels_[std::size_t(i - 1)] = makeLevel(clusters, base, variance);
     part.update(1);
   }
 }
 
-double PointDiffusion::crowding(int number) const {
+double PointDiffusion::meanNeighbours(int number) const {
   constexpr std::size_t kLooks = 1000;
   const Level& level = levels_[std::size_t(number - 1)];
   const std::size_t step = 1 + level.points.size() / kLooks;
@@ -161,7 +161,7 @@ std::vector<glm::vec4> PointDiffusion::gather(int number, std::span<const glm::v
   const Level& level = levels_[std::size_t(number - 1)];
   std::vector<glm::vec4> light(level.points.size(), glm::vec4(0));
   for (std::size_t s = 0; s < irradiance.size(); ++s)
-    light[level.bunch[s]] += areas_[s] / level.points.areas[level.bunch[s]] * irradiance[s];
+    light[level.clusterOf[s]] += areas_[s] / level.points.areas[level.clusterOf[s]] * irradiance[s];
   return light;
 }
 
@@ -171,7 +171,7 @@ std::vector<glm::vec4> PointDiffusion::lightAt(int number, std::span<const glm::
                                                const Progress& progress) const {
   const Level& level = levels_[std::size_t(number - 1)];
   const AreaPoints& points = level.points;
-  // Calls f(weight, point) for the bunches around a place that face about the same way.
+  // Calls f(weight, point) for the clusters around a place that face about the same way.
   const auto forEachLocal = [&](const glm::vec3& x, const glm::vec3& n, auto&& f) {
     level.grid.forEachRun(x, level.reach, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
@@ -184,7 +184,7 @@ std::vector<glm::vec4> PointDiffusion::lightAt(int number, std::span<const glm::
   };
   const auto lightOf = [&](const glm::vec3& x, const glm::vec3& n) {
     if (level.readsPlane) {
-      Plane plane(x, n, level.reach);
+      PlaneFit plane(x, n, level.reach);
       forEachLocal(x, n, [&](float w, std::size_t i) { plane.add(w, points.positions[i], gathered[i]); });
       if (!plane.empty()) return plane.value();
     } else {
@@ -211,7 +211,7 @@ std::vector<glm::vec4> PointDiffusion::lightAt(int number, std::span<const glm::
 std::size_t PointDiffusion::bytes() const {
   std::size_t bytes = areas_.size() * sizeof(float);
   for (const Level& level : levels_)
-    bytes += level.bunch.size() * sizeof(std::uint32_t) +
+    bytes += level.clusterOf.size() * sizeof(std::uint32_t) +
              level.points.size() * (2 * sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint32_t));
   return bytes;
 }

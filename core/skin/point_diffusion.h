@@ -13,9 +13,9 @@
 namespace sonoskin {
 
 // PointDiffusion: light spreads from point to point on a surface, without an atlas.
-//   method    the samples are gathered into base points 0.2 mm apart, these into bunches for each level, half a width of
-//             its Gaussian apart. The light at a place is the Gaussian's sum over the level's bunches that face about the
-//             same way: at folds that is asked once, and of the place itself. What bunches blur is taken off the Gaussian;
+//   method    the samples are gathered into base points 0.2 mm apart, these into clusters for each level, half a width of
+//             its Gaussian apart. The light at a place is the Gaussian's sum over the level's clusters that face about the
+//             same way: at folds that is asked once, and of the place itself. What clusters blur is taken off the Gaussian;
 //             where they are too far apart for a sum, the plane through them is read.
 //                                                                                                  [theory/skin.md, 6.3]
 //   levels    1 to 5: the Gaussians number 1 to 5 of the sum; number 0 is narrower than the points
@@ -32,11 +32,11 @@ class PointDiffusion {
   // resolves: whether a level is wide enough for the points to tell from no blur at all.
   bool resolves(int level) const { return levels_[std::size_t(level - 1)].resolved; }
 
-  // crowding: how many bunches lightAt looks at for a place of a level that is resolved, on average: some 30 to 200 on a
+  // meanNeighbours: how many clusters lightAt looks at for a place of a level that is resolved, on average: some 30 to 200 on a
   // surface, thousands where loose triangles fill a volume.
-  double crowding(int level) const;
+  double meanNeighbours(int level) const;
 
-  // gather: what falls on each level's bunches; nothing for one that is not resolved.
+  // gather: what falls on each level's clusters; nothing for one that is not resolved.
   //   input    irradiance   per sample
   Levels gather(std::span<const glm::vec4> irradiance) const;
   std::vector<glm::vec4> gather(int level, std::span<const glm::vec4> irradiance) const;
@@ -55,11 +55,11 @@ class PointDiffusion {
   struct Level {
     AreaPoints points;  // in the order of the grid
     PointGrid grid;
-    std::vector<std::uint32_t> bunch;  // per sample
-    float reach = 0, exponent = 0;     // of the Gaussian
+    std::vector<std::uint32_t> clusterOf;  // per sample
+    float reach = 0, exponent = 0;         // of the Gaussian
     bool readsPlane = false, resolved = false;
   };
-  Level makeLevel(const PointClusters& bunches, const PointClusters& base, double variance) const;
+  Level makeLevel(const PointClusters& clusters, const PointClusters& base, double variance) const;
 
   std::vector<float> areas_;  // of the samples
   std::array<Level, kLevels> levels_;

@@ -15,7 +15,7 @@ constexpr std::size_t kTrianglesPerTask = 4096;
 // A triangle of so many parts along its sides whose shortest side is below so many spacings is a sliver.
 constexpr double kSliverParts = 16, kSliverWidth = 0.5;
 
-struct Cut {
+struct Subdivision {
   double area = 0;
   std::uint64_t parts = 0;  // along each side; 0: the triangle has no area
   int tip = -1;             // of a sliver: the corner from which its strips are counted
@@ -23,7 +23,7 @@ struct Cut {
   std::uint64_t count() const { return tip >= 0 ? parts : parts * parts; }
 };
 
-Cut cutOf(const Mesh& mesh, const Triangle& t, double spacing) {
+Subdivision subdivide(const Mesh& mesh, const Triangle& t, double spacing) {
   const glm::dvec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
   const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
   if (!(area > 0)) return {};
@@ -65,7 +65,7 @@ void forEachStrip(std::uint64_t n, int tip, F&& f) {
 std::vector<std::uint64_t> firstSamples(const Mesh& mesh, double spacing) {
   std::vector<std::uint64_t> first(mesh.triangles.size() + 1, 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    first[t + 1] = first[t] + cutOf(mesh, mesh.triangles[t], spacing).count();
+    first[t + 1] = first[t] + subdivide(mesh, mesh.triangles[t], spacing).count();
     require(first[t + 1] < std::uint64_t(std::numeric_limits<std::int32_t>::max()),
             "A surface of this size cannot be sampled every {} mm.", spacing);
   }
@@ -81,7 +81,7 @@ void resize(SurfaceSamples& samples, std::size_t count) {
 }
 
 void fill(SurfaceSamples& samples, std::size_t first, const Mesh& mesh, std::uint32_t triangle,
-          const Cut& cut) {
+          const Subdivision& cut) {
   const Triangle& t = mesh.triangles[triangle];
   const auto add = [&](const glm::vec3& w, float area) {
     const auto mix = [&](const std::vector<glm::vec3>& of) {
@@ -126,7 +126,7 @@ SurfaceSamples sampleSurface(const Mesh& mesh, double spacing, const Progress& p
         const std::size_t begin = std::size_t(task) * kTrianglesPerTask;
         for (std::size_t t = begin; t < std::min(begin + kTrianglesPerTask, mesh.triangles.size()); ++t)
           fill(samples, std::size_t(first[t]), mesh, std::uint32_t(t),
-               cutOf(mesh, mesh.triangles[t], spacing));
+               subdivide(mesh, mesh.triangles[t], spacing));
       },
       progress);
   return samples;
@@ -137,7 +137,7 @@ double affordableSpacing(const Mesh& mesh, double spacing, std::size_t most) {
   for (;; spacing *= kWider) {
     std::uint64_t count = 0, cut = 0;
     for (const Triangle& t : mesh.triangles) {
-      const std::uint64_t parts = cutOf(mesh, t, spacing).count();
+      const std::uint64_t parts = subdivide(mesh, t, spacing).count();
       count += parts;
       cut += parts > 1;
     }

@@ -49,7 +49,7 @@ class TriangleLattice {
   static Net netOf(const Mesh& mesh, const Triangle& triangle, double longest);
 
   // Place of row v in a net of n parts a side, which has n + 1 - v places in that row.
-  static std::uint32_t start(std::uint32_t n, std::uint32_t v) { return v * (n + 1) - v * (v - 1) / 2; }
+  static std::uint32_t rowStart(std::uint32_t n, std::uint32_t v) { return v * (n + 1) - v * (v - 1) / 2; }
 
   template <class T>
   static T inNet(const T* places, std::uint32_t n, const glm::vec3& weights) {
@@ -57,7 +57,7 @@ class TriangleLattice {
     const glm::vec2 at = float(n) * glm::vec2(weights.y, weights.z);
     std::uint32_t u = std::min(std::uint32_t(at.x), n - 1), v = std::min(std::uint32_t(at.y), n - 1 - u);
     float a = at.x - float(u), b = at.y - float(v);
-    const T *low = places + start(n, v) + u, *high = places + start(n, v + 1) + u;
+    const T *low = places + rowStart(n, v) + u, *high = places + rowStart(n, v + 1) + u;
     if (a + b <= 1 || u + v + 1 >= n) return (1 - a - b) * low[0] + a * low[1] + b * high[0];
     return (a + b - 1) * high[1] + (1 - b) * low[1] + (1 - a) * high[0];
   }
@@ -66,9 +66,10 @@ class TriangleLattice {
   template <class T>
   static T inStrip(const T* places, const Net& net, const glm::vec3& weights) {
     const float second = weights[int((net.tip + 1) % 3)], third = weights[int((net.tip + 2) % 3)];
-    const float way = float(net.parts) * (second + third), across = way > 0 ? third / (second + third) : 0;
-    const std::uint32_t row = std::min(std::uint32_t(way), net.parts - 1);
-    const float part = way - float(row);
+    const float along = float(net.parts) * (second + third),
+                across = along > 0 ? third / (second + third) : 0;
+    const std::uint32_t row = std::min(std::uint32_t(along), net.parts - 1);
+    const float part = along - float(row);
     const T* pair = places + 2 * row;
     return (1 - part) * ((1 - across) * pair[0] + across * pair[1]) +
            part * ((1 - across) * pair[2] + across * pair[3]);

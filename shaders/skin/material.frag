@@ -2,7 +2,7 @@
 // Functions of the place in mm and of the surface's shape alone.                                [theory/skin.md, 10.2]
 #include "skin/noise3d.glsl"
 
-uniform sampler2D positionMap, normalMap, openMap;
+uniform sampler2D positionMap, normalMap, openMap;  // AtlasMaps                                     [theory/skin.md, 3.3]
 uniform sampler3D pigments;     // albedo over melanin, blood (both logarithmic), oxygen          [theory/skin.md, 10.1]
 uniform vec2 melaninRange, bloodRange;  // shares at the table's ends: PigmentTable in core/skin/skin_material.h
 // Of SkinOptions: C_m, C_h and S [Jacques 1998; Donner, Jensen 2006]; rho_s and m [Kelemen, Szirmay-Kalos 2001]; flush,
@@ -33,7 +33,7 @@ Regions regions(vec3 p, float convex) {
   Regions r = Regions(0.0, 0.0, 0.0);
   if (mouthSet > 0.0) {
     vec3 middle = 0.5 * (mouthRight + mouthLeft), across = 0.5 * (mouthLeft - mouthRight);
-    float halfWidth = max(length(across), 1.0);
+    float halfWidth = max(length(across), 1.0);  // mm; at least so much, lest landmarks in one place divide by 0
     vec3 side = across / halfWidth;
     vec3 away = p - middle;
     float along = dot(away, side) / (1.08 * halfWidth);  // by eye: lips end a little beyond the corners
@@ -109,7 +109,7 @@ void main() {
 
   // Oil makes what sticks out smoother, over 5 mm; water stays in hollows and on lips. All numbers by eye.
   float oil = 0.15 * fractal(p + 400.0, 5.0) - 0.6 * clamp(convex, 0.0, 0.15);
-  float m = clamp(roughness * (1.0 + oil), 0.08, 0.6);
+  float m = clamp(roughness * (1.0 + oil), 0.08, 0.6);  // by eye, within SpecularTable
   float wet = wetness * clamp(0.55 + 0.9 * hollow + 0.45 * fractal(p + 500.0, 6.0) + 0.6 * r.lips, 0.0, 1.0);
   albedo = vec4(colour, 1.0);
   // A film is dull: roughness 0.5, 0.6 of the gloss, 0.3 of the water, by eye.

@@ -121,7 +121,7 @@ TEST(ObjectSize, MemoryOfSpreadLightIsBounded) {
   EXPECT_LT(kept.bytes(), 100'000'000u);
 }
 
-// Loose triangles that fill a volume have thousands of bunches within reach of each place: it is asked for fewer places.
+// Loose triangles that fill a volume have thousands of clusters within reach of each place: it is asked for fewer places.
 TEST(ObjectSize, CloudsOfTrianglesAreAskedAtFewPlaces) {
   Mesh cloud;
   std::uint32_t state = 1;
@@ -138,15 +138,16 @@ TEST(ObjectSize, CloudsOfTrianglesAreAskedAtFewPlaces) {
       prepareSkin(std::make_shared<const Mesh>(std::move(cloud)), {0, -1, 0}, quality);
   const SurfaceSamples samples = sampleSurface(*surface->mesh, 0.2);
   const PointDiffusion points({samples.positions, samples.normals, samples.areas}, literatureSkin());
-  const double crowding = points.crowding(PointDiffusion::kLevels);
-  EXPECT_GT(crowding, 2000);
+  const double meanNeighbours = points.meanNeighbours(PointDiffusion::kLevels);
+  EXPECT_GT(meanNeighbours, 2000);
   BlockDiffusion kept;
   const std::vector<glm::vec4> white(surface->maps.position.size(), glm::vec4(1));
   diffuseInBlocks(surface, literatureSkin(), white, kept);
-  EXPECT_LT(double(kept.placesAsked(PointDiffusion::kLevels)) * crowding, 1.5e9);
+  EXPECT_LT(double(kept.placesAsked(PointDiffusion::kLevels)) * meanNeighbours, 1.5e9);
   const SurfaceSamples smooth = sampleSurface(ball(20), 0.2);
   const PointDiffusion few({smooth.positions, smooth.normals, smooth.areas}, literatureSkin());
-  for (int level = 1; level <= PointDiffusion::kLevels; ++level) EXPECT_LT(few.crowding(level), 400) << level;
+  for (int level = 1; level <= PointDiffusion::kLevels; ++level)
+    EXPECT_LT(few.meanNeighbours(level), 400) << level;
 }
 
 // Where points are too far apart for a Gaussian the light stays as it is: the change from one to the other is no step

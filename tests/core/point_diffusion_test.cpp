@@ -142,7 +142,7 @@ TEST(PointDiffusion, FollowsBruteForceAroundNarrowEdges) {
   EXPECT_LT(errorOn(lens), 4e-3);
 }
 
-// A bunch is what it says: every point in the nearest one that faces its way, at its centre of mass.
+// A cluster is what it says: every point in the nearest one that faces its way, at its centre of mass.
 TEST(PointClusters, HoldEveryPointAndKeepArea) {
   const SurfaceSamples samples = sampleSurface(test::icosphere(3, 10, glm::vec3(0)), 0.3);
   const AreaPoints points = pointsOf(samples);
@@ -150,7 +150,7 @@ TEST(PointClusters, HoldEveryPointAndKeepArea) {
   std::vector<glm::dvec3> centre(clusters.points.size(), glm::dvec3(0));
   std::vector<double> area(clusters.points.size(), 0);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::uint32_t b = clusters.bunch[p];
+    const std::uint32_t b = clusters.clusterOf[p];
     ASSERT_LT(glm::distance(points.positions[p], clusters.points.positions[b]), 1.7f);
     centre[b] += double(points.areas[p]) * glm::dvec3(points.positions[p]);
     area[b] += double(points.areas[p]);
@@ -175,7 +175,7 @@ TEST(PointClusters, KeepsTheSidesOfASheetApart) {
     }
   const PointClusters clusters = clusterPoints(points, 0.5);
   for (std::size_t p = 0; p < points.size(); ++p)
-    EXPECT_EQ(clusters.points.normals[clusters.bunch[p]], points.normals[p]);
+    EXPECT_EQ(clusters.points.normals[clusters.clusterOf[p]], points.normals[p]);
 }
 
 TEST(PointDiffusion, DoesNotDependOnThreads) {
