@@ -61,7 +61,7 @@ Made showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context&
   }
   console.beginStage("picture");
   if (o.view == "mesh") return {pictureOfMesh(context, std::move(mesh), MeshLook::clay, o.picture)};
-  return {pictureOfSkin(context, std::move(mesh), parameters, o.skin.look, o.picture, progress)};
+  return {pictureOfSkin(context, std::move(mesh), parameters, o.skin.picture(), o.picture, progress)};
 }
 
 Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {

@@ -51,11 +51,17 @@ void addBakeOption(CLI::App& command, Bake& bake) {
           "light that comes out of the skin");
 }
 
+SkinPictureOptions SkinRenderOptions::picture() const {
+  SkinPictureOptions drawn = look;
+  if (reference) drawn.quality.diffusion = DiffusionMethod::reference;
+  return drawn;
+}
+
 void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
   addEnum(command, "--pass", options.look.pass, 0,
           fmt::format("for skin: one of the things that the picture is made of: {} [default skin]",
                       fmt::join(enumNames(SkinPass{}), ", ")));
-  command.add_flag("--reference", options.look.reference,
+  command.add_flag("--reference", options.reference,
                    "for skin: light is spread by integration over the surface, exact and slow");
   addQualityOption(command, options.look.quality);
   command.add_flag("--own-coordinates", options.look.quality.ownCoordinates,
@@ -71,7 +77,7 @@ void checkSkinOptions(const SkinRenderOptions& options, const std::string& view,
                   Error::Kind::usage);
   };
   onlyFor(options.look.pass != SkinPass::skin, "--pass");
-  onlyFor(options.look.reference, "--reference");
+  onlyFor(options.reference, "--reference");
   onlyFor(options.look.quality.ownCoordinates, "--own-coordinates");
   onlyFor(options.bake != Bake::none, "--bake");
   checkOutputFile(out, options.bake == Bake::none ? FileKind::picture : FileKind::texturedMesh);

@@ -11,7 +11,11 @@ namespace sonoskin {
 // SkinRenderOptions: --pass, --reference, --quality and --bake of `render`.
 struct SkinRenderOptions {
   SkinPictureOptions look;
+  bool reference = false;
   Bake bake = Bake::none;
+
+  // picture: the look of a picture; maps for files have no reference.
+  SkinPictureOptions picture() const;
 };
 void addSkinOptions(CLI::App& command, SkinRenderOptions& options);
 

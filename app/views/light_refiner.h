@@ -9,8 +9,7 @@
 #include "app/document/worker.h"
 #include "core/base/hash.h"
 #include "core/skin/block_diffusion.h"
-#include "core/skin/skin_options.h"
-#include "render/skin/skin_view.h"
+#include "render/skin/entering_light.h"
 
 namespace sonoskin::ui {
 
@@ -20,12 +19,10 @@ class LightRefiner {
  public:
   // update: once a frame while the view's light is complete. Begins where it rests, and puts what is finished into the
   // view.
-  //   input    view     its light is complete
-  //            surface  what `gpu` holds
-  //            light    the fingerprint of surface and look
+  //   input    view    its light is complete
+  //            light   the fingerprint of surface and look
   //   output   whether the view has better light than before: it is to be drawn again
-  bool update(SkinView& view, const GpuSkin& gpu, const std::shared_ptr<const SkinSurface>& surface,
-              const SkinOptions& skin, const Key& light, bool rests);
+  bool update(SkinView& view, const GpuSkin& surface, const Key& light, bool rests);
   // cancel: gives up what is under way, for the light moves.
   void cancel();
   // status: what runs, for people; failures: of what ran, each told once.
@@ -37,8 +34,7 @@ class LightRefiner {
     Key light;
     PointDiffusion::Levels levels;
   };
-  void begin(const SkinView& view, std::shared_ptr<const SkinSurface> surface, const SkinOptions& skin,
-             const Key& light);
+  void begin(const EnteringLight& entering, const GpuSkin& surface, const Key& light);
 
   std::shared_ptr<BlockDiffusion> kept_ = std::make_shared<BlockDiffusion>();  // the worker's alone
   std::optional<Key> asked_;

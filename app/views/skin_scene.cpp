@@ -53,7 +53,6 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                       ++preparations_;
                       shown_ = wanted;
                       times_.reset();
-                      lit_ = false;
                       drawn_ = 0;
                     }});
 }
@@ -75,7 +74,7 @@ bool SkinScene::shows(const Workspace& workspace) const {
 
 std::string SkinScene::caption() const {
   for (const Worker::Status& status :
-       {worker_ ? worker_->status() : Worker::Status{}, present_.refiner.status(), kept_.refiner.status()})
+       {worker_ ? worker_->status() : Worker::Status{}, presentRefiner_.status(), keptRefiner_.status()})
     if (status.busy) return fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction);
   return {};
 }
@@ -103,9 +102,11 @@ SkinShot SkinScene::shot(const Workspace& workspace) const {
   return shot;
 }
 
-void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinView& present,
-              std::optional<SkinView>& kept, const SkinPictureOptions& options, const gl::Target& target) {
-  const auto draw = [&](SkinView& view, const SkinSettings& settings, SkinPass pass, glm::vec2 part) {
+void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinViews& views,
+              const SkinPictureOptions& options, const gl::Target& target) {
+  const auto draw = [&](std::optional<SkinView>& view, const SkinSettings& settings, SkinPass pass,
+                        glm::vec2 part) {
+    if (!view) view.emplace();
     const SkinLook look = lookOf(settings, shot.home, gpu.box());
     SkinViewInput input{.surface = gpu, .camera = camera, .look = look, .quality = shot.quality};
     input.supersampling = options.supersampling;
@@ -113,63 +114,65 @@ void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, Sk
     input.pass = pass;
     input.shownPart = part;
     input.unseenShade = shot.unseenShade;
-    view.draw(input, target);
+    view->draw(input, target);
   };
   const bool split = shot.compare != SkinCompare::off;
-  draw(present, shot.settings, shot.pass, {split ? shot.divider : 0, 1});
+  draw(views.present, shot.settings, shot.pass, {split ? shot.divider : 0, 1});
   if (!split) return;
   const glm::vec2 left(0, shot.divider);
-  if (shot.compare == SkinCompare::scatter) return draw(present, shot.settings, SkinPass::undiffused, left);
-  if (!kept) kept.emplace();
-  draw(*kept, shot.kept, shot.pass, left);
+  if (shot.compare == SkinCompare::scatter)
+    return draw(views.present, shot.settings, SkinPass::undiffused, left);
+  draw(views.kept, shot.kept, shot.pass, left);
 }
 
 void SkinScene::draw(const Workspace& workspace, int supersampling, const gl::Target& target) {
   if (!surface_) surface_.emplace();
-  if (!present_.view) present_.view.emplace();
   surface_->set(prepared_);
   const bool smooth = supersampling > 1;
   SkinShot now = shot(workspace);
-  now.quality.points = smooth;
+  now.quality.diffusion = smooth ? DiffusionMethod::points : DiffusionMethod::blurs;
   const bool atOnce = smooth || (times_ && times_->light < kLightAtOnce);
   const SkinPictureOptions options{supersampling, atOnce ? 1000 : 1};
-  drawSkin(now, workspace.view.camera, *surface_, *present_.view, kept_.view, options, target);
+  drawSkin(now, workspace.view.camera, *surface_, views_, options, target);
   compared_ = now.compare == SkinCompare::settings;
-  complete_ = present_.view->complete() && (!compared_ || kept_.view->complete());
-  lit_ = lit_ || present_.view->complete();
+  light_ = lightOfViews();
 }
 
-void SkinScene::refine(Lit& lit, const SkinSettings& settings, bool rests) {
+LightState SkinScene::lightOfViews() const {
+  const LightState present = views_.present->state();
+  // Where the present settings' light is there, it is shown whether the other half has any or not.
+  return compared_ ? std::min(present, std::max(views_.kept->state(), LightState::earlier)) : present;
+}
+
+void SkinScene::refine(SkinView& view, LightRefiner& refiner, const SkinSettings& settings, bool rests) {
   Hasher hasher("refined light");
   hasher.add(preparations_);
   addSettings(hasher, settings);
-  refined_ += lit.refiner.update(*lit.view, *surface_, prepared_, settings.skin, hasher.key(), rests) ? 1 : 0;
+  refined_ += refiner.update(view, *surface_, hasher.key(), rests) ? 1 : 0;
 }
 
 std::vector<std::string> SkinScene::refine(const Workspace& workspace, bool rests) {
-  if (!shows(workspace) || !complete_ || !present_.view) {
-    present_.refiner.cancel();
-    kept_.refiner.cancel();
+  if (!shows(workspace) || light_ < LightState::complete || !views_.present) {
+    presentRefiner_.cancel();
+    keptRefiner_.cancel();
     return {};
   }
-  if (!compared_) kept_.refiner.cancel();
+  if (!compared_) keptRefiner_.cancel();
   const SkinSettings present = presentSettings(workspace);
-  refine(present_, present, rests);
-  if (compared_) refine(kept_, workspace.view.skin.kept.value_or(present), rests);
-  std::vector<std::string> failures = present_.refiner.failures();
-  std::ranges::move(kept_.refiner.failures(), std::back_inserter(failures));
+  refine(*views_.present, presentRefiner_, present, rests);
+  if (compared_) refine(*views_.kept, keptRefiner_, workspace.view.skin.kept.value_or(present), rests);
+  light_ = lightOfViews();
+  std::vector<std::string> failures = presentRefiner_.failures();
+  std::ranges::move(keptRefiner_.failures(), std::back_inserter(failures));
   return failures;
 }
 
-bool SkinScene::refined() const {
-  return present_.view && present_.view->byPoints() && (!compared_ || kept_.view->byPoints());
-}
-
 void SkinScene::note(Workspace& workspace, double share) {
-  if (!present_.view || !complete_ || ++drawn_ < kSettled || workspace.view.skin.compare != SkinCompare::off)
+  if (!views_.present || light_ < LightState::complete || ++drawn_ < kSettled ||
+      workspace.view.skin.compare != SkinCompare::off)
     return;
-  const SkinView::Timing t = present_.view->timing();
-  times_ = {1e-3 * t.final / share, 1e-3 * (t.lightMaps + t.visibility + t.irradiance + t.blurs + t.combine)};
+  const SkinView::Timing t = views_.present->timing();
+  times_ = {1e-3 * t.final / share, 1e-3 * t.moved()};
   workspace.view.skin.status.milliseconds = 1000 * times_->picture;
   chooser_.measured(shown_.full, *times_);
 }

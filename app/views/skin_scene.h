@@ -30,11 +30,16 @@ struct SkinPictureOptions {
   int supersampling = 1, steps = 1000;
 };
 
+// SkinViews: keep the light of the present settings and of those that they are compared with; each is made when first
+// needed.
+struct SkinViews {
+  std::optional<SkinView> present, kept;
+};
+
 // drawSkin: a picture of skin, of two settings side by side where they are compared.
-//   input  gpu      holds the shot's surface
-//          present  keeps the light; kept: that of the settings that are compared with, made when first needed
-void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinView& present,
-              std::optional<SkinView>& kept, const SkinPictureOptions& options, const gl::Target& target);
+//   input  gpu   holds the shot's surface
+void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, SkinViews& views,
+              const SkinPictureOptions& options, const gl::Target& target);
 
 // lookOf: the settings as the renderer takes them.
 SkinLook lookOf(const SkinSettings& settings, const HomeFrame& home, const Box& box);
@@ -60,17 +65,13 @@ class SkinScene {
   void draw(const Workspace& workspace, int supersampling, const gl::Target& target);
   // shot: what is shown; once there is something to show.
   SkinShot shot(const Workspace& workspace) const;
-  // complete: whether the last picture showed the light that was asked for.
-  bool complete() const { return complete_; }
-  // lit: whether any picture of what is prepared has been complete; before, there is no light to show.
-  bool lit() const { return lit_; }
+  // light: of the last picture; of two, of that which is behind.
+  LightState light() const { return light_; }
   // refine: once a frame: light that rests is spread from point to point in the background. What has come of it counts in
   // addTo.
   //   output  sentences about what failed
   std::vector<std::string> refine(const Workspace& workspace, bool rests);
-  // refined: whether light that is complete has been refined too; refining: whether that is under way.
-  bool refined() const;
-  bool refining() const { return present_.refiner.status().busy || kept_.refiner.status().busy; }
+  bool refining() const { return presentRefiner_.status().busy || keptRefiner_.status().busy; }
   // note: after a draw of a whole view: how long such pictures take.
   void note(Workspace& workspace, double share);
 
@@ -80,13 +81,9 @@ class SkinScene {
     bool full = false;
     friend bool operator==(const Wanted&, const Wanted&) = default;
   };
-  // Lit: settings with their light.
-  struct Lit {
-    std::optional<SkinView> view;
-    LightRefiner refiner;
-  };
   void prepare(const Wanted& wanted, const Workspace& workspace);
-  void refine(Lit& lit, const SkinSettings& settings, bool rests);
+  void refine(SkinView& view, LightRefiner& refiner, const SkinSettings& settings, bool rests);
+  LightState lightOfViews() const;
   SkinQuality quality() const { return shown_.full ? fullQuality() : lightQuality(); }
 
   std::unique_ptr<Worker> worker_;
@@ -94,13 +91,14 @@ class SkinScene {
   std::shared_ptr<const SkinSurface> prepared_;
   int preparations_ = 0;  // its number: addresses come back
   std::optional<GpuSkin> surface_;
-  Lit present_, kept_;     // the present settings, and those that are compared with
+  SkinViews views_;
+  LightRefiner presentRefiner_, keptRefiner_;
   int refined_ = 0;        // times that a light was refined
   bool compared_ = false;  // whether the last picture showed both
   QualityChooser chooser_;
-  std::optional<SkinTimes> times_;  // of what is prepared
-  bool complete_ = true, lit_ = false;
-  int drawn_ = 0;  // pictures of what is prepared
+  std::optional<SkinTimes> times_;           // of what is prepared
+  LightState light_ = LightState::complete;  // nothing is on its way yet
+  int drawn_ = 0;                            // pictures of what is prepared
 };
 
 // homeOf: the frame in which the angles of the session's light count: that of the view from the probe.

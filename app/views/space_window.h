@@ -4,6 +4,7 @@
 
 #include "app/views/pane.h"
 #include "app/views/part_tools.h"
+#include "app/views/picture_state.h"
 #include "app/views/scene.h"
 #include "app/views/skin_scene.h"
 #include "app/views/skin_tools.h"
@@ -31,6 +32,7 @@ struct SpaceWindow {
   PartsScene parts;
   PartTools partTools;
   gl::Framebuffer picture;
+  PictureState state;
   Key drawn;                      // of what the picture shows
   Key failed;                     // of what could not be drawn
   ObjectsSeen<2> from;            // what both are of

@@ -28,10 +28,9 @@ void draw(const SkinShot& skin, const ViewShot& shot, const gl::Framebuffer& pic
   GpuSkin surface;
   surface.set(skin.surface);
   SkinShot finished = skin;
-  finished.quality.points = true;
-  SkinView present;
-  std::optional<SkinView> kept;
-  drawSkin(finished, shot.camera, surface, present, kept, {.supersampling = kSamples}, picture);
+  finished.quality.diffusion = DiffusionMethod::points;
+  SkinViews views;
+  drawSkin(finished, shot.camera, surface, views, {.supersampling = kSamples}, picture);
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ TexturedMesh bakeShot(const SkinShot& shot, bool light) {
   surface.set(shot.surface);
   const SkinLook look = lookOf(shot.settings, shot.home, surface.box());
   SkinQuality finished = shot.quality;
-  finished.points = light;
+  finished.diffusion = light ? DiffusionMethod::points : DiffusionMethod::blurs;
   return bakeSurface(surface, look, {finished, light});
 }
 

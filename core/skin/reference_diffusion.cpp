@@ -8,6 +8,7 @@
 #include "core/skin/atlas_reading.h"
 #include "core/skin/brute_force.h"
 #include "core/skin/hierarchical_integral.h"
+#include "core/skin/scatter_profile.h"
 
 namespace sonoskin {
 namespace {
@@ -34,13 +35,13 @@ std::vector<std::uint32_t> shownTexels(const AtlasMaps& maps) {
 }
 
 // What the narrow part of a profile, which no sample tells from a point, and its wide part are.
-struct Parts {
+struct SplitProfile {
   glm::dvec3 narrow{0};  // share of the light
   RadialProfile wide;
   double spacing = kSpacing;
 };
 
-Parts partsOf(const GaussianSum& profile, const Mesh& mesh) {
+SplitProfile splitProfile(const GaussianSum& profile, const Mesh& mesh) {
   // As far apart as the second Gaussian allows.
   const double spacing =
       affordableSpacing(mesh, std::clamp(0.7 * std::sqrt(profile.variances[1]), 0.1, 0.3), kMostSamples);
@@ -51,7 +52,7 @@ Parts partsOf(const GaussianSum& profile, const Mesh& mesh) {
   return {narrow, profileOf(profile, first), spacing};
 }
 
-Parts partsOf(const MediumRgb& medium, const Mesh& mesh) {
+SplitProfile splitProfile(const MediumRgb& medium, const Mesh& mesh) {
   const std::array<Dipole, 3> d{makeDipole(medium[0]), makeDipole(medium[1]), makeDipole(medium[2])};
   const glm::dvec3 total(totalReflectance(d[0]), totalReflectance(d[1]), totalReflectance(d[2]));
   const auto perArea = [=](double r) {
@@ -74,11 +75,11 @@ HierarchicalIntegral treeOf(const SkinSurface& surface, const std::vector<glm::v
   return HierarchicalIntegral(samples, light);
 }
 
-std::vector<glm::vec4> integrate(const SkinSurface& surface, const Parts& parts,
+std::vector<glm::vec4> integrate(const SkinSurface& surface, const SplitProfile& profile,
                                  const std::vector<glm::vec4>& irradiance, const Progress& progress) {
   const AtlasMaps& maps = surface.maps;
   require(irradiance.size() == maps.position.size(), "Every texel of the atlas needs an irradiance.");
-  const HierarchicalIntegral tree = treeOf(surface, irradiance, parts.spacing, progress.part(0, 0.03));
+  const HierarchicalIntegral tree = treeOf(surface, irradiance, profile.spacing, progress.part(0, 0.03));
   const std::vector<std::uint32_t> shown = shownTexels(maps);
   std::vector<glm::vec4> result(irradiance.size(), glm::vec4(0));
   const std::size_t tasks = (shown.size() + kTexelsPerTask - 1) / kTexelsPerTask;
@@ -91,8 +92,8 @@ std::vector<glm::vec4> integrate(const SkinSurface& surface, const Parts& parts,
           const glm::vec3 own =
               irradiance[t].a > 0 ? glm::vec3(irradiance[t]) / irradiance[t].a : glm::vec3(0);
           const glm::vec3 wide =
-              tree.at(glm::vec3(maps.position[t]), glm::vec3(maps.normal[t]), parts.wide, {});
-          result[t] = glm::vec4(glm::vec3(parts.narrow) * own + wide, 1);
+              tree.at(glm::vec3(maps.position[t]), glm::vec3(maps.normal[t]), profile.wide, {});
+          result[t] = glm::vec4(glm::vec3(profile.narrow) * own + wide, 1);
         }
       },
       progress.part(0.05, 1));
@@ -104,13 +105,22 @@ std::vector<glm::vec4> integrate(const SkinSurface& surface, const Parts& parts,
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const GaussianSum& profile,
                                           const std::vector<glm::vec4>& irradiance,
                                           const Progress& progress) {
-  return integrate(surface, partsOf(profile, *surface.mesh), irradiance, progress);
+  return integrate(surface, splitProfile(profile, *surface.mesh), irradiance, progress);
 }
 
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const MediumRgb& medium,
                                           const std::vector<glm::vec4>& irradiance,
                                           const Progress& progress) {
-  return integrate(surface, partsOf(medium, *surface.mesh), irradiance, progress);
+  return integrate(surface, splitProfile(medium, *surface.mesh), irradiance, progress);
+}
+
+std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const SkinOptions& skin,
+                                          const std::vector<glm::vec4>& irradiance,
+                                          const Progress& progress) {
+  // The literature's skin has no medium behind its Gaussians, and a width is no property of one.
+  const bool gaussians = skin.profile == ScatterProfile::adult || skin.width != 1;
+  return gaussians ? referenceDiffusion(surface, diffusionOf(skin), irradiance, progress)
+                   : referenceDiffusion(surface, mediumOf(skin), irradiance, progress);
 }
 
 }  // namespace sonoskin

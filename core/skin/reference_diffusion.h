@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/skin/dipole.h"
 #include "core/skin/gaussian_sum.h"
+#include "core/skin/skin_options.h"
 #include "core/skin/skin_surface.h"
 
 namespace sonoskin {
@@ -25,6 +26,11 @@ std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const Gaus
 
 // The same with the dipole of a medium, which is divided by its total: the albedo colours, the profile spreads.
 std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const MediumRgb& medium,
+                                          const std::vector<glm::vec4>& irradiance,
+                                          const Progress& progress = {});
+
+// The same for the skin of the options: with its medium, or with its Gaussians where no medium stands behind them.
+std::vector<glm::vec4> referenceDiffusion(const SkinSurface& surface, const SkinOptions& skin,
                                           const std::vector<glm::vec4>& irradiance,
                                           const Progress& progress = {});
 

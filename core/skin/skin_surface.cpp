@@ -65,7 +65,7 @@ SkinQuality fullQuality() { return {}; }
 
 SkinQuality pictureQuality() {
   SkinQuality quality = fullQuality();
-  quality.points = true;
+  quality.diffusion = DiffusionMethod::points;
   quality.skirt = 4.5;  // only depths are blurred, by 1.41 mm at most
   quality.texels = 4e6;
   return quality;

@@ -5,6 +5,7 @@
 #include "core/mesh/atlas/atlas.h"
 #include "core/mesh/atlas/atlas_maps.h"
 #include "core/mesh/mesh.h"
+#include "core/skin/diffusion_method.h"
 
 namespace sonoskin {
 
@@ -18,8 +19,7 @@ namespace sonoskin {
 //   shadowSize      texels along the side of each light's depth map
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2
-//   points          light spreads from point to point on the surface instead of by blurs in the atlas: right in folds and
-//                   across charts too, but on the CPU
+//   diffusion       by whom light is spread, at least: an atlas that cannot be blurred has it from point to point
 //   ownCoordinates  whether a mesh's own texture coordinates are used, where it has any and they are good enough; where
 //                   not, the log says so
 struct SkinQuality {
@@ -30,7 +30,7 @@ struct SkinQuality {
   int shadowSize = 2048;
   int shadowTaps = 32;
   int detailLayers = 2;
-  bool points = false;
+  DiffusionMethod diffusion = DiffusionMethod::blurs;
   bool ownCoordinates = false;
 };
 

@@ -37,6 +37,7 @@ class Framebuffer {
   const Texture& colour(std::size_t index = 0) const { return colours_[index]; }
   const Texture& depth() const { return depth_; }
   glm::ivec2 size() const { return description_.size; }
+  std::size_t texels() const { return std::size_t(size().x) * std::size_t(size().y); }
   unsigned name() const { return object_.name(); }
   explicit operator bool() const { return bool(object_); }
 

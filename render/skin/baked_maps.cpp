@@ -5,6 +5,7 @@
 #include "render/gl/read_pixels.h"
 #include "render/skin/detail_tile.h"
 #include "render/skin/gpu_skin.h"
+#include "render/skin/light_passes.h"
 #include "render/skin/pass_programs.h"
 #include "render/surface_shading.h"
 
@@ -25,6 +26,8 @@ struct Baker {
 
   Image draw(BakedMap map) {
     const GpuSkin::Parts& parts = surface.parts();
+    const EnteringLight& entering = view.light().entering();
+    const SpreadLight spread = view.light().diffuser().result();
     target.fit(parts.atlasSize());
     target.bind();
     const int layers = look.skin.detail > 0 ? quality.detailLayers : 0;
@@ -32,17 +35,17 @@ struct Baker {
         programs.use("skin/bake.frag", {fmt::format("MAP {}", int(map)), fmt::format("DETAIL {}", layers)});
     bindTo(p, "positionMap", 0, parts.position);
     bindTo(p, "normalMap", 1, parts.normal);
-    bindTo(p, "albedoMap", 2, view.albedo());
-    bindTo(p, "finishMap", 3, view.finish());
-    bindTo(p, "irradianceMap", 4, view.level(0));
-    bindTo(p, "diffusedMap", 5, view.diffused());
+    bindTo(p, "albedoMap", 2, entering.albedo());
+    bindTo(p, "finishMap", 3, entering.finish());
+    bindTo(p, "irradianceMap", 4, view.light().diffuser().level(0));
+    bindTo(p, "diffusedMap", 5, spread.map);
     bindTo(p, "detailTile", 6, detail.texture);
     p.set("tileLength", DetailTile::kLength);
     p.set("lostSlope", glm::vec2(detail.meanSlope));
     p.set("detail", float(look.skin.detail));
     p.set("mixBefore", float(look.skin.mix));
     p.set("exposure", look.lights.exposure);
-    p.set("firstWeight", view.firstWeight());
+    p.set("firstWeight", spread.firstWeight);
     gl::drawFullScreen();
     return gl::readImage(target);
   }

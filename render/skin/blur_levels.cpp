@@ -116,8 +116,8 @@ void BlurLevels::blur(const GpuSkin& surface, const gl::Texture& from, double ad
 
 std::size_t BlurLevels::bytes() const {
   std::size_t texels = 0;
-  for (const auto& f : maps_) texels += std::size_t(f.size().x) * std::size_t(f.size().y);
-  for (const auto& f : spares_) texels += std::size_t(f.size().x) * std::size_t(f.size().y);
+  for (const auto& f : maps_) texels += f.texels();
+  for (const auto& f : spares_) texels += f.texels();
   return 8 * texels;
 }
 

@@ -42,24 +42,24 @@ struct ShownMap {
   float scale = 1;
 };
 
-ShownMap shownMap(SkinPass pass, const LightPasses& light, const GpuSkin& surface, const gl::Texture& charts,
-                  float exposure) {
-  const GpuSkin::Parts& parts = surface.parts();
-  switch (pass) {
+ShownMap shownMap(const SkinViewInput& input, const LightPasses& light, const gl::Texture& charts) {
+  const GpuSkin::Parts& parts = input.surface.parts();
+  const float exposure = input.look.lights.exposure;
+  switch (input.pass) {
     case SkinPass::blur1:
     case SkinPass::blur2:
     case SkinPass::blur3:
     case SkinPass::blur4:
     case SkinPass::blur5:
-      return {&light.level(1 + int(pass) - int(SkinPass::blur1)), 0, 0, exposure};
+      return {&light.diffuser().level(1 + int(input.pass) - int(SkinPass::blur1)), 0, 0, exposure};
     case SkinPass::through:
-      return {&light.through(), 0, 0, exposure};
+      return {&light.diffuser().through(), 0, 0, exposure};
     case SkinPass::albedo:
-      return {&light.albedo(), 1, 0, 1};
+      return {&light.entering().albedo(), 1, 0, 1};
     case SkinPass::finish:
-      return {&light.finish(), 1, 0, 1};
+      return {&light.entering().finish(), 1, 0, 1};
     case SkinPass::shadow:
-      return {&light.visibility(), 2, 0, 1};
+      return {&light.entering().visibility(), 2, 0, 1};
     case SkinPass::occlusion:
       return {&parts.open, 2, 3, 1};
     case SkinPass::normal:
@@ -71,22 +71,22 @@ ShownMap shownMap(SkinPass pass, const LightPasses& light, const GpuSkin& surfac
     case SkinPass::charts:
       return {&charts, 6, 0, 1};
     default:
-      return {&light.level(0), 0, 0, exposure};
+      return {&light.diffuser().level(0), 0, 0, exposure};
   }
 }
 
-// Part: a rectangle of pixels; the end is outside.
-struct Part {
+// PixelRect: a rectangle of pixels; the end is outside.
+struct PixelRect {
   glm::ivec2 first{0}, end{0};
 };
 
-Part shownColumns(glm::ivec2 size, glm::vec2 share) {
+PixelRect shownColumns(glm::ivec2 size, glm::vec2 share) {
   const glm::ivec2 columns(glm::round(share * float(size.x)));
   return {{columns.x, 0}, {columns.y, size.y}};
 }
 
 // Where a box of the world can be seen: a software renderer runs shaders on all pixels of a draw, empty or not.
-Part partOf(const Box& box, const glm::mat4& viewProjection, glm::ivec2 size) {
+PixelRect pixelsOf(const Box& box, const glm::mat4& viewProjection, glm::ivec2 size) {
   glm::vec2 least(1), most(-1);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::bvec3 far(corner & 1, corner & 2, corner & 4);
@@ -101,7 +101,7 @@ Part partOf(const Box& box, const glm::mat4& viewProjection, glm::ivec2 size) {
 }
 
 // Draws go to a part of the target alone.
-void cutTo(const Part& part, glm::ivec2 corner = {0, 0}) {
+void cutTo(const PixelRect& part, glm::ivec2 corner = {0, 0}) {
   const glm::ivec2 size = glm::max(part.end - part.first, glm::ivec2(0));
   glEnable(GL_SCISSOR_TEST);
   glScissor(corner.x + part.first.x, corner.y + part.first.y, size.x, size.y);
@@ -111,9 +111,7 @@ void cutTo(const Part& part, glm::ivec2 corner = {0, 0}) {
 
 FinalPass::FinalPass()
     : surfaceProgram_({"skin/surface.vert", "skin/surface.frag"}),
-      surface_({.size = {1, 1},
-                .colours = {gl::Format::rgba16f, gl::Format::rg32f},
-                .depth = gl::Format::depth32f}),
+      surface_(surfaceTexels({gl::Format::rg32f})),
       samples_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}),
       backdrop_({.size = {1, 1}}),
       detail_(makeDetailTile()),
@@ -130,7 +128,7 @@ void FinalPass::copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm
     gl::drawFullScreen();
     backdropOf_ = backdrop;
   }
-  const Part part = shownColumns(to.size, shownPart);
+  const PixelRect part = shownColumns(to.size, shownPart);
   const glm::ivec2 first = to.corner + part.first, end = to.corner + part.end;
   glDisable(GL_SCISSOR_TEST);
   glBlitNamedFramebuffer(backdrop_.name(), to.framebuffer, part.first.x, part.first.y, part.end.x, part.end.y,
@@ -151,24 +149,25 @@ void FinalPass::drawSurface(const SkinViewInput& input, glm::ivec2 size, const g
   input.surface.parts().draw();
 }
 
-void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size,
+void FinalPass::shade(const SkinViewInput& input, const LightPasses& light, glm::ivec2 size,
                       const glm::mat4& projection) {
+  const EnteringLight& entering = light.entering();
+  const SpreadLight spread = light.diffuser().result();
   std::vector<std::string> defines{
       kindDefine(input.look.lights),
       fmt::format("DETAIL {}", input.look.skin.detail > 0 ? input.quality.detailLayers : 0),
       fmt::format("PASS {}", finalVariant(input.pass))};
   defines.push_back(fmt::format("LOBES {}", input.quality.detailLayers > 1 ? 2 : 1));
   if (input.look.skin.wetness > 0) defines.emplace_back("WET");
-  if (light.holdsReference()) defines.emplace_back("REFERENCE");
   if (input.supersampling > 1) defines.emplace_back("LINEAR");
   gl::Program& p = programs_.use("skin/final.frag", defines);
   bindTo(p, "surfaceMap", 0, surface_.colour(0));
   bindTo(p, "placeMap", 1, surface_.colour(1));
   bindTo(p, "depthMap", 2, surface_.depth());
-  bindTo(p, "diffusedMap", 3, light.diffused());
-  bindTo(p, "visibilityMap", 4, light.visibility());
-  bindTo(p, "albedoMap", 5, light.albedo());
-  bindTo(p, "finishMap", 6, light.finish());
+  bindTo(p, "diffusedMap", 3, spread.map);
+  bindTo(p, "visibilityMap", 4, entering.visibility());
+  bindTo(p, "albedoMap", 5, entering.albedo());
+  bindTo(p, "finishMap", 6, entering.finish());
   bindTo(p, "specularTable", 7, specularTable_);
   bindTo(p, "detailTile", 8, detail_.texture);
   p.set("tileLength", DetailTile::kLength);
@@ -178,21 +177,21 @@ void FinalPass::shade(const SkinViewInput& input, LightPasses& light, glm::ivec2
   p.set("pixelLength", input.camera.millimetresPerPixel(size.y) / input.camera.distance);
   p.set("mixBefore", float(input.look.skin.mix));
   p.set("exposure", input.look.lights.exposure);
-  p.set("firstWeight", light.firstWeight());
+  p.set("firstWeight", spread.firstWeight);
   p.set("unseenShade", input.unseenShade);
   p.set("insideColour", insideColour(input.look.lights));
-  light.lightMaps().setLights(p, input.look.lights);
+  entering.lightMaps().setLights(p, input.look.lights);
   setScreen(p, input.camera, float(size.x) / float(size.y), projection);
   gl::drawFullScreen();
 }
 
-void FinalPass::showMap(const SkinViewInput& input, LightPasses& light) {
+void FinalPass::showMap(const SkinViewInput& input, const LightPasses& light) {
   const GpuSkin::Parts& parts = input.surface.parts();
   if (input.pass == SkinPass::charts && chartsOf_ != parts.number) {
     charts_ = chartNumbers(*parts.surface);
     chartsOf_ = parts.number;
   }
-  const ShownMap shown = shownMap(input.pass, light, input.surface, charts_, input.look.lights.exposure);
+  const ShownMap shown = shownMap(input, light, charts_);
   std::vector<std::string> defines{fmt::format("MAP {}", shown.kind)};
   if (input.supersampling > 1) defines.emplace_back("LINEAR");
   gl::Program& p = programs_.use("skin/map.frag", defines);
@@ -214,7 +213,7 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   drawSurface(input, size, projection);
   const Lighting studio = portraitLighting(input.camera);
   const Backdrop backdrop{size, studio.backgroundTop, studio.backgroundBottom};
-  const Part columns = shownColumns(size, input.shownPart);
+  const PixelRect columns = shownColumns(size, input.shownPart);
   glm::ivec2 corner(0);
   if (input.supersampling > 1) {
     samples_.fit(size);
@@ -225,7 +224,7 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
     target.bind();
     corner = target.corner;
   }
-  Part part = partOf(input.surface.box(), projection * input.camera.view(), size);
+  PixelRect part = pixelsOf(input.surface.box(), projection * input.camera.view(), size);
   part.first = glm::max(part.first, columns.first);
   part.end = glm::min(part.end, columns.end);
   cutTo(part, corner);

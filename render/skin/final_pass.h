@@ -23,8 +23,9 @@ class FinalPass {
   };
   void copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart);
   void drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection);
-  void shade(const SkinViewInput& input, LightPasses& light, glm::ivec2 size, const glm::mat4& projection);
-  void showMap(const SkinViewInput& input, LightPasses& light);
+  void shade(const SkinViewInput& input, const LightPasses& light, glm::ivec2 size,
+             const glm::mat4& projection);
+  void showMap(const SkinViewInput& input, const LightPasses& light);
   void resolve(const SkinViewInput& input, const Backdrop& backdrop, const glm::mat4& viewProjection,
                const gl::Target& target);
 

@@ -87,7 +87,7 @@ GpuSkin::~GpuSkin() = default;
 GpuSkin::GpuSkin(GpuSkin&&) noexcept = default;
 GpuSkin& GpuSkin::operator=(GpuSkin&&) noexcept = default;
 
-const SkinSurface* GpuSkin::surface() const { return parts_->surface.get(); }
+const std::shared_ptr<const SkinSurface>& GpuSkin::surface() const { return parts_->surface; }
 const Box& GpuSkin::box() const { return parts_->box; }
 
 void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {

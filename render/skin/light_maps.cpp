@@ -15,10 +15,11 @@ namespace {
 
 // A lamp's view toward the middle of a box.
 glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, float& width) {
-  const glm::vec3 way = box.centre() - lamp.position;
-  const float radius = 0.51f * box.diagonal(), distance = std::max(glm::length(way), 1e-3f * radius);
+  const glm::vec3 toMiddle = box.centre() - lamp.position;
+  const float radius = 0.51f * box.diagonal(), distance = std::max(glm::length(toMiddle), 1e-3f * radius);
   // A lamp in the very middle looks anywhere.
-  const glm::vec3 forward = glm::length(way) < 0.5f * distance ? glm::vec3(0, 1, 0) : way / distance;
+  const glm::vec3 forward =
+      glm::length(toMiddle) < 0.5f * distance ? glm::vec3(0, 1, 0) : toMiddle / distance;
   // From within the sphere around the box no view sees all of it: the part before the lamp must do.
   const float half = distance > 1.05f * radius ? std::asin(radius / distance) : glm::radians(70.f);
   const float near = std::max(distance - radius, 0.02f * radius), far = distance + radius;
@@ -105,11 +106,8 @@ void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
 
 std::size_t LightMaps::bytes() const {
   std::size_t sum = 0;
-  const auto texels = [](const gl::Framebuffer& f) {
-    return std::size_t(f.size().x) * std::size_t(f.size().y);
-  };
-  for (const Map& map : maps_) sum += texels(map.target) * 4 + texels(map.exits) * 4;
-  return sum + texels(maps_[0].target) * 8;
+  for (const Map& map : maps_) sum += map.target.texels() * 4 + map.exits.texels() * 4;
+  return sum + maps_[0].target.texels() * 8;
 }
 
 }  // namespace sonoskin

@@ -1,7 +1,5 @@
 #include "render/skin/skin_pictures.h"
 
-#include "core/skin/reference_diffusion.h"
-#include "core/skin/scatter_profile.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin {
@@ -26,16 +24,6 @@ LightOptions lightsOf(const Parameters& parameters, const PictureOptions& option
   return light;
 }
 
-// Spreads the view's light by integration instead of blurs.
-void integrate(const SkinSurface& surface, const SkinOptions& skin, SkinView& view,
-               const Progress& progress) {
-  const std::vector<glm::vec4> irradiance = gl::readTexels(view.level(0));
-  // The literature's skin has no medium behind its Gaussians, and a width is no property of one.
-  const bool gaussians = skin.profile == ScatterProfile::adult || skin.width != 1;
-  view.setDiffused(gaussians ? referenceDiffusion(surface, diffusionOf(skin), irradiance, progress)
-                             : referenceDiffusion(surface, mediumOf(skin), irradiance, progress));
-}
-
 }  // namespace
 
 Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, const Parameters& parameters,
@@ -48,18 +36,16 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
       homeFrame(parseCamera(presetOf(options.camera), options.beam, box, aspect, options.faceCamera()));
   const SkinLook skin{parameters.skin, parameters.landmarks,
                       makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
+  const bool integrates = look.quality.diffusion == DiffusionMethod::reference;  // the longest part then
   const auto surface =
-      prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, look.reference ? 0.1 : 0.8));
+      prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, integrates ? 0.1 : 0.8));
 
   context.makeCurrent();
   GpuSkin gpu;
   gpu.set(surface);
-  if (!look.reference) surface->keepForLight();
+  if (!integrates) surface->keepForLight();
   SkinView view;
-  if (look.reference) {
-    view.relight(gpu, skin, look.quality);
-    integrate(*surface, skin.skin, view, progress.part(0.1, 0.95));
-  }
+  view.relight(gpu, skin, look.quality, progress.part(integrates ? 0.1 : 0.8, 0.95));
   const gl::Framebuffer picture({.size = options.size});
   view.draw({.surface = gpu,
              .camera = camera,

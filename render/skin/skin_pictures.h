@@ -11,11 +11,9 @@
 namespace sonoskin {
 
 // SkinPictureOptions: how skin is shown in a finished picture.
-//   reference   light is spread by integration over the surface instead of blurs in the atlas: exact and slow
 struct SkinPictureOptions {
   SkinQuality quality = pictureQuality();
   SkinPass pass = SkinPass::skin;
-  bool reference = false;
 };
 
 // pictureOfSkin: the surface as skin with the lights of `parameters`, four samples per pixel.

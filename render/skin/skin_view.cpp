@@ -32,30 +32,23 @@ void SkinView::draw(const SkinViewInput& input, const gl::Target& target) {
   s.timer.end();
 }
 
-bool SkinView::complete() const { return state_->complete; }
+LightState SkinView::state() const {
+  if (!state_->light.lit()) return LightState::none;
+  if (!state_->complete) return LightState::earlier;
+  return state_->light.refined() ? LightState::refined : LightState::complete;
+}
 
-void SkinView::relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) {
+void SkinView::relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality,
+                       const Progress& progress) {
   while (!state_->light.shows(surface, look, quality)) {
     state_->light.begin(surface, look, quality);
-    state_->light.step(surface);
+    state_->light.step(surface, progress);
   }
 }
 
-void SkinView::spread(const GpuSkin& surface, const SkinOptions& skin,
-                      const std::vector<glm::vec4>& irradiance) {
-  state_->light.spread(surface, skin, irradiance);
-}
+LightPasses& SkinView::light() { return state_->light; }
+const LightPasses& SkinView::light() const { return state_->light; }
 
-const gl::Texture& SkinView::level(int level) const { return state_->light.level(level); }
-const gl::Texture& SkinView::diffused() const { return state_->light.diffused(); }
-const gl::Texture& SkinView::albedo() const { return state_->light.albedo(); }
-const gl::Texture& SkinView::finish() const { return state_->light.finish(); }
-glm::vec3 SkinView::firstWeight() const { return state_->light.firstWeight(); }
-void SkinView::setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels) {
-  state_->light.setLevels(surface, levels);
-}
-bool SkinView::byPoints() const { return state_->light.byPoints(); }
-void SkinView::setDiffused(const std::vector<glm::vec4>& rgba) { state_->light.setDiffused(rgba); }
 SkinView::Timing SkinView::timing() const {
   Timing timing = state_->light.timing();
   timing.final = 1000 * state_->timer.seconds();

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "core/base/progress.h"
 #include "core/skin/landmark_options.h"
-#include "core/skin/point_diffusion.h"
 #include "core/skin/skin_options.h"
 #include "core/skin/skin_surface.h"
 #include "render/camera.h"
@@ -58,7 +58,7 @@ class GpuSkin {
   // set: uploads where the surface is another object than the last time; keeps it alive.
   //   errors  Error (system): the driver cannot hold it; then there is none
   void set(std::shared_ptr<const SkinSurface> surface);
-  const SkinSurface* surface() const;
+  const std::shared_ptr<const SkinSurface>& surface() const;
   const Box& box() const;
 
   struct Parts;  // for the passes alone
@@ -87,7 +87,17 @@ struct SkinViewInput {
   float unseenShade = 0;
 };
 
-// SkinView: a surface as skin. Light is computed in the atlas and kept until lights, material or surface change: turning
+// LightState: how far the light of a picture of skin has come, in this order.
+enum class LightState {
+  none,      // no light of this surface is there yet
+  earlier,   // that of an earlier look is shown
+  complete,  // that of the look
+  refined    // spread better than by blurs, too
+};
+
+class LightPasses;
+
+// SkinView: a surface as skin. Light is computed by LightPasses and kept until lights, material or surface change: turning
 // the camera costs the final pass only.
 class SkinView {
  public:
@@ -97,34 +107,23 @@ class SkinView {
   SkinView& operator=(SkinView&&) noexcept;
 
   void draw(const SkinViewInput& input, const gl::Target& target);
-  // complete: whether the last draw showed the light of its own look, not an earlier one.
-  bool complete() const;
+  // state: what the last draw showed, or shows if it is drawn again.
+  LightState state() const;
 
-  // relight: runs the light passes without drawing; maps: the light in the atlas afterwards, level 0 (irradiance) to 5,
-  // linear RGB with coverage in a, wide blurs in coarser maps; `diffused`: the weighted sum of levels 1 to 5 and the light through thin parts;
-  // `albedo`; `finish` (roughness, gloss, wetness, vernix).
-  void relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality);
-  const gl::Texture& level(int level) const;
-  const gl::Texture& diffused() const;
-  const gl::Texture& albedo() const;
-  const gl::Texture& finish() const;
-  // firstWeight: of level 0, where `diffused` lacks the first Gaussian; 0 where it holds it.
-  glm::vec3 firstWeight() const;
-  // spread: what relight() makes of a given irradiance instead of the lights'.
-  //   irradiance   atlas size, linear RGB premultiplied by coverage in a
-  void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
-  // setLevels: puts light that has spread from point to point (diffuseInBlocks, of level 0) in the place of blurs 1 to 5
-  // and keeps it until the light changes; the last draw must have been complete. byPoints: whether such light is shown.
-  void setLevels(const GpuSkin& surface, const PointDiffusion::Levels& levels);
-  bool byPoints() const;
-  // setDiffused: puts another answer (the reference's) in the place of the diffused map and keeps it until the light
-  // changes.
-  //   rgba   atlas size, linear; as diffused(), but with all six terms: the irradiance of the first is not added
-  void setDiffused(const std::vector<glm::vec4>& rgba);
+  // relight: runs all passes of the light without drawing.
+  //   errors   Cancelled
+  void relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality,
+               const Progress& progress = {});
+  // light: the passes and their maps (render/skin/light_passes.h).
+  LightPasses& light();
+  const LightPasses& light() const;
 
   // Timing: milliseconds of the GPU for each pass when it ran last. Asking waits for those passes.
   struct Timing {
     double material = 0, lightMaps = 0, visibility = 0, irradiance = 0, blurs = 0, combine = 0, final = 0;
+
+    // moved: of all that runs when a light has moved.
+    double moved() const { return lightMaps + visibility + irradiance + blurs + combine; }
   };
   Timing timing() const;
   // mapBytes: memory of the maps on the GPU, the surface's included.

@@ -2,7 +2,7 @@
 // surface's reflection.                                                                         [theory/skin.md, 9.2]
 // Variants: KIND, see lights.glsl; DETAIL: layers of pores and lines; LINEAR: display-linear output for the resolve pass;
 // LOBES: of the surface's reflection; WET: a film of water lies on it;
-// PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone; REFERENCE: the map holds all six terms.
+// PASS: 0 skin, 1 without spreading, 2 spread light alone, 3 reflection alone.
 #include "common/colour.glsl"
 #include "common/noise.glsl"
 #include "common/occlusion.glsl"
@@ -10,6 +10,7 @@
 #include "skin/detail.glsl"
 #include "skin/lights.glsl"
 #include "skin/reflection.glsl"
+#include "surface/buffer.glsl"
 
 in vec2 uv;
 
@@ -19,7 +20,7 @@ uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
 uniform float mixBefore, exposure;
 uniform float unseenShade;     // 0 to 1: how far what was not measured is greyed
-uniform vec3 firstWeight;      // of the narrowest Gaussian
+uniform vec3 firstWeight;      // of the narrowest Gaussian; 0 where the map holds it
 uniform vec3 insideColour;     // of the inner sides of an open surface: nothing was measured there
 
 layout(location = 0) out vec4 colour;
@@ -64,8 +65,6 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
   first *= before;
 #if PASS == 1
   vec3 entered = first;
-#elif defined(REFERENCE)
-  vec3 entered = spread.rgb;
 #else
   vec3 entered = firstWeight * first + spread.rgb;
 #endif
@@ -86,7 +85,7 @@ void main() {
   if (depth == 1.0) discard;  // the background is there already
   vec4 surface = texelFetch(surfaceMap, texel, 0);
   vec3 p = eye + distanceOf(depth) * rayAt(uv);
-  vec3 light = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, surface.w < 0.0);
+  vec3 light = shade(p, normalize(surface.xyz), texelFetch(placeMap, texel, 0).rg, isInner(surface.w));
   float unmeasured = unseenShade * (2.0 - 2.0 * abs(surface.w));
   light = mix(light, dot(light, vec3(0.2126, 0.7152, 0.0722)) * vec3(0.8, 0.85, 0.95), unmeasured);
   vec3 shown = toneMap(exposure * light);

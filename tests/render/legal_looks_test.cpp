@@ -4,6 +4,7 @@
 
 #include "core/pipeline/parameters.h"
 #include "render/gl/read_pixels.h"
+#include "render/skin/light_passes.h"
 #include "render/skin/skin_view.h"
 #include "tests/render/support/gl_test.h"
 #include "tests/support/legal_values.h"
@@ -33,14 +34,14 @@ class LegalLooksTest : public GlTest {
   }
   void expectLight(const Parameters& p, SkinPass pass, bool points, const std::string& what) {
     const SkinLook look{p.skin, p.landmarks, makeLightRig(p.light, homeFrame(camera_), gpu_.box())};
-    quality_.points = points;
+    quality_.diffusion = points ? DiffusionMethod::points : DiffusionMethod::blurs;
     const gl::Framebuffer picture({.size = {40, 30}});
     ASSERT_NO_THROW(view_.draw(
         {.surface = gpu_, .camera = camera_, .look = look, .quality = quality_, .pass = pass}, picture))
         << what;
-    EXPECT_TRUE(view_.complete()) << what;
-    EXPECT_EQ(faultsOf(view_.level(0)) + faultsOf(view_.diffused()) + faultsOf(view_.albedo()) +
-                  faultsOf(view_.finish()),
+    EXPECT_TRUE((view_.state() >= LightState::complete)) << what;
+    EXPECT_EQ(faultsOf(view_.light().diffuser().level(0)) + faultsOf(view_.light().diffuser().result().map) +
+                  faultsOf(view_.light().entering().albedo()) + faultsOf(view_.light().entering().finish()),
               0)
         << what;
     EXPECT_EQ(gl::glErrorCount(), errors_) << what << gl::lastGlError();
@@ -98,7 +99,7 @@ TEST_F(LegalLooksTest, ALampInTheVeryMiddleLightsWhatItSees) {
   light.distance = light.fill = light.rim = light.surround = 0;
   const Box box = gpu_.box();
   view_.relight(gpu_, {{}, {}, makeLightRig(light, homeFrame(camera_), box)}, quality_);
-  const std::vector<glm::vec4> lit = gl::readTexels(view_.level(0));
+  const std::vector<glm::vec4> lit = gl::readTexels(view_.light().diffuser().level(0));
   int bright = 0, shown = 0;
   for (std::size_t t = 0; t < lit.size(); ++t) {
     if (surface->maps.position[t].w < 1 || surface->maps.position[t].y < 0) continue;

@@ -38,7 +38,7 @@ class ObjectSizeTest : public GlTest {
   ObjectSizeTest() {
     quality_.texels = 3e5;
     quality_.shadowSize = 512;
-    quality_.points = true;
+    quality_.diffusion = DiffusionMethod::points;
     options_.camera = "front,azimuth=20,elevation=10";
     options_.size = {200, 150};
   }

@@ -7,8 +7,10 @@
 #include "core/skin/atlas_reading.h"
 #include "core/skin/beckmann.h"
 #include "core/skin/block_diffusion.h"
+#include "core/skin/reference_diffusion.h"
 #include "core/skin/skin_material.h"
 #include "render/gl/read_pixels.h"
+#include "render/skin/light_passes.h"
 #include "render/skin/skin_view.h"
 #include "tests/render/support/gl_test.h"
 #include "tests/render/support/skin_plane.h"
@@ -41,7 +43,8 @@ std::vector<glm::vec4> read(const gl::Texture& map) {
 
 // What leaves each texel.
 std::vector<glm::dvec3> leaving(const SkinView& view) {
-  const auto first = read(view.level(0)), rest = read(view.diffused());
+  const auto first = read(view.light().diffuser().level(0)),
+             rest = read(view.light().diffuser().result().map);
   std::vector<glm::dvec3> sum;
   for (std::size_t t = 0; t < first.size(); ++t)
     sum.push_back(literatureSkin().weights[0] * glm::dvec3(first[t]) + glm::dvec3(rest[t]));
@@ -101,7 +104,7 @@ TEST_F(SkinLightTest, SpecksAreLit) {
   LightRig rig;
   rig.lights.push_back({.shadows = false});
   view_.relight(gpu_, {plainSkin(), {}, rig}, texels(0.3));
-  const auto light = read(view_.diffused());
+  const auto light = read(view_.light().diffuser().result().map);
   std::vector<bool> owns(mesh.triangles.size(), false);
   for (std::size_t t = 0; t < light.size(); ++t)
     if (surface->maps.position[t].w == 1) owns[surface->maps.triangle[t]] = true;
@@ -123,7 +126,7 @@ TEST_F(SkinLightTest, ChangesAreAsIfDrawnAnew) {
   look.lights = makeLightRig({}, {}, gpu_.box());
   ASSERT_EQ(look.lights.lights.size(), 3u);
   view_.relight(gpu_, look, lightQuality());
-  std::vector<glm::vec4> before = read(view_.diffused());
+  std::vector<glm::vec4> before = read(view_.light().diffuser().result().map);
   const std::vector<std::function<void()>> changes{
       [&] { look.lights.lights[0].position = glm::normalize(glm::vec3(1, 0.2f, -0.4f)); },
       [&] { look.lights.lights[2].softness = 0.3f; },
@@ -140,8 +143,8 @@ TEST_F(SkinLightTest, ChangesAreAsIfDrawnAnew) {
     view_.relight(gpu_, look, lightQuality());
     SkinView fresh;
     fresh.relight(gpu_, look, lightQuality());
-    const std::vector<glm::vec4> after = read(view_.diffused());
-    EXPECT_EQ(after, read(fresh.diffused())) << i;
+    const std::vector<glm::vec4> after = read(view_.light().diffuser().result().map);
+    EXPECT_EQ(after, read(fresh.light().diffuser().result().map)) << i;
     EXPECT_NE(after, before) << i;
     before = after;
   }
@@ -156,7 +159,7 @@ TEST_F(SkinLightTest, KeepsThePower) {
     irradiance.emplace_back(glm::vec3(covered ? std::max(0.f, surface->maps.normal[t].x) : 0.f),
                             covered ? 1.f : 0.f);
   }
-  view_.spread(gpu_, plainSkin(), irradiance);
+  view_.light().spread(gpu_, plainSkin(), irradiance);
   const auto light = leaving(view_);
   glm::dvec3 out(0);
   double in = 0;
@@ -208,28 +211,72 @@ TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
   };
   const SkinLook look = lit({1, 0, 1});
   SkinQuality finished;
-  finished.points = true;
+  finished.diffusion = DiffusionMethod::points;
   SkinView view, picture;
   picture.relight(gpu, look, finished);
   view.relight(gpu, look, {});
-  EXPECT_FALSE(view.byPoints());
-  const auto blurred = read(view.diffused());
-  EXPECT_NE(blurred, read(picture.diffused()));
-  EXPECT_EQ(view.firstWeight(), picture.firstWeight());
+  EXPECT_FALSE(view.light().refined());
+  const auto blurred = read(view.light().diffuser().result().map);
+  EXPECT_NE(blurred, read(picture.light().diffuser().result().map));
+  EXPECT_EQ(view.light().diffuser().result().firstWeight, picture.light().diffuser().result().firstWeight);
 
   BlockDiffusion kept;
-  view.setLevels(gpu, diffuseInBlocks(surface, literatureSkin(), gl::readTexels(view.level(0)), kept));
-  EXPECT_TRUE(view.byPoints());
-  EXPECT_EQ(read(view.diffused()), read(picture.diffused()));
+  view.light().take(gpu, diffuseInBlocks(surface, literatureSkin(),
+                                         gl::readTexels(view.light().diffuser().level(0)), kept));
+  EXPECT_TRUE(view.light().refined());
+  EXPECT_EQ(read(view.light().diffuser().result().map), read(picture.light().diffuser().result().map));
   view.relight(gpu, look, {});
-  EXPECT_TRUE(view.byPoints()) << "no blurs in place of what is better";
+  EXPECT_TRUE(view.light().refined()) << "no blurs in place of what is better";
   view.relight(gpu, look, finished);
-  EXPECT_EQ(read(view.diffused()), read(picture.diffused())) << "kept";
+  EXPECT_EQ(read(view.light().diffuser().result().map), read(picture.light().diffuser().result().map))
+      << "kept";
 
   view.relight(gpu, lit({0, 1, 1}), {});
-  EXPECT_FALSE(view.byPoints());
+  EXPECT_FALSE(view.light().refined());
   view.relight(gpu, look, {});
-  EXPECT_EQ(read(view.diffused()), blurred);
+  EXPECT_EQ(read(view.light().diffuser().result().map), blurred);
+}
+
+// Where the first Gaussian is blurred too, level 0 is no longer what has entered: that is what points spread.
+TEST_F(SkinLightTest, WhatIsRefinedIsTheLightThatEntersWideSkinToo) {
+  const auto surface = ball(10, 0.3);
+  GpuSkin gpu;
+  gpu.set(surface);
+  SkinLook look{plainSkin(), {}, {}};
+  look.skin.width = 2;
+  look.lights.lights.push_back({.position = glm::normalize(glm::vec3(1, 0, 1)), .shadows = false});
+  SkinQuality finished;
+  finished.diffusion = DiffusionMethod::points;
+  SkinView view, picture;
+  picture.relight(gpu, look, finished);
+  view.relight(gpu, look, {});
+  const auto entered = gl::readTexels(view.light().entering().irradiance());
+  EXPECT_NE(entered, gl::readTexels(view.light().diffuser().level(0)));
+  BlockDiffusion kept;
+  view.light().take(gpu,
+                    diffuseInBlocks(surface, view.light().entering().material().diffusion, entered, kept));
+  EXPECT_EQ(read(view.light().diffuser().result().map), read(picture.light().diffuser().result().map));
+}
+
+// The reference is better than points, holds all six Gaussians, and stays.
+TEST_F(SkinLightTest, TheReferenceStandsAboveTheOthers) {
+  const auto surface = ball(10, 0.5);
+  GpuSkin gpu;
+  gpu.set(surface);
+  SkinLook look{plainSkin(), {}, {}};
+  look.lights.lights.push_back({.position = glm::normalize(glm::vec3(1, 0, 1)), .shadows = false});
+  SkinQuality exact;
+  exact.diffusion = DiffusionMethod::reference;
+  SkinView view;
+  view.relight(gpu, look, exact);
+  const auto expected =
+      referenceDiffusion(*surface, look.skin, gl::readTexels(view.light().entering().irradiance()));
+  const auto found = gl::readTexels(view.light().diffuser().result().map);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (int c = 0; c < 4; ++c) ASSERT_NEAR(found[i][c], expected[i][c], 1e-3f * expected[i][c] + 1e-6f) << i;
+  EXPECT_EQ(view.light().diffuser().result().firstWeight, glm::vec3(0));
+  view.relight(gpu, look, {});
+  EXPECT_EQ(gl::readTexels(view.light().diffuser().result().map), found) << "kept";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/skin/skin_material.h"
 #include "render/gl/read_pixels.h"
+#include "render/skin/light_passes.h"
 #include "render/skin/skin_view.h"
 #include "tests/render/support/gl_test.h"
 #include "tests/support/skin_tables.h"
@@ -78,7 +79,7 @@ class SkinThroughTest : public GlTest {
     LightRig rig;
     rig.lights.push_back({.position = glm::normalize(toLight), .colour = glm::vec3(1)});
     view_.relight(gpu_, {plainSkin(translucency), {}, rig}, quality());
-    const auto values = gl::readFloats(view_.diffused(), 4);
+    const auto values = gl::readFloats(view_.light().diffuser().result().map, 4);
     std::vector<glm::vec4> texels;
     for (std::size_t i = 0; i < values.size(); i += 4)
       texels.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
@@ -160,7 +161,7 @@ TEST_F(SkinThroughTest, OnlyTheMovableLightComesThrough) {
     rig.lights.assign(3, dark);
     rig.lights[std::size_t(number)] = behind;
     view_.relight(gpu_, {plainSkin(1), {}, rig}, quality());
-    const auto values = gl::readFloats(view_.diffused(), 4);
+    const auto values = gl::readFloats(view_.light().diffuser().result().map, 4);
     double most = 0;
     for (std::size_t t = 0; t < surface->maps.position.size(); ++t)
       if (surface->maps.position[t].w > 0.9f && surface->maps.normal[t].z > 0.9f &&

@@ -6,6 +6,7 @@
 
 #include "core/skin/gaussian_sum.h"
 #include "render/gl/read_pixels.h"
+#include "render/skin/light_passes.h"
 #include "tests/render/support/gl_test.h"
 #include "tests/render/support/skin_plane.h"
 
@@ -40,7 +41,8 @@ class SkinViewTest : public GlTest {
       const std::size_t i = 4 * std::size_t(texel.y * plane.maps.size.x + texel.x);
       return glm::dvec3(double(values[i]), double(values[i + 1]), double(values[i + 2]));
     };
-    return literatureSkin().weights[0] * at(view.level(0)) + at(view.diffused());
+    return literatureSkin().weights[0] * at(view.light().diffuser().level(0)) +
+           at(view.light().diffuser().result().map);
   }
 };
 
@@ -51,7 +53,8 @@ TEST_F(SkinViewTest, SpreadsTheEdgeOfAShadow) {
   gpu.set(plane);
   SkinView view;
   // The edge lies between texels: a texel's middle is half a texel from it.
-  view.spread(gpu, plainSkin(), irradianceOn(*plane, [](double x, double) { return x > 0 ? 1.0 : 0.0; }));
+  view.light().spread(gpu, plainSkin(),
+                      irradianceOn(*plane, [](double x, double) { return x > 0 ? 1.0 : 0.0; }));
   for (const double x : {-4.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 4.0}) {
     const double middle = (std::floor(x / double(kTexel)) + 0.5) * double(kTexel);
     glm::dvec3 expected(0);
@@ -83,8 +86,9 @@ TEST_F(SkinViewTest, DampsWaves) {
     gpu.set(plane);
     SkinView view;
     const auto wave = [&](double x, double) { return 0.5 + 0.5 * std::cos(2 * M_PI * x / row.period); };
-    view.spread(gpu, plainSkin(), irradianceOn(*plane, wave));
-    const auto level0 = gl::readFloats(view.level(0), 4), rest = gl::readFloats(view.diffused(), 4);
+    view.light().spread(gpu, plainSkin(), irradianceOn(*plane, wave));
+    const auto level0 = gl::readFloats(view.light().diffuser().level(0), 4),
+               rest = gl::readFloats(view.light().diffuser().result().map, 4);
     const int width = plane->maps.size.x, texels = int(std::lround(span / double(kTexel)));
     glm::dvec3 sum(0);
     double reference = 0;
@@ -111,9 +115,9 @@ TEST_F(SkinViewTest, SpreadsADisc) {
   const std::pair<double, glm::dvec3> rows[] = {
       {1, {0.593700, 0.980320, 0.997091}}, {2, {0.806087, 0.998326, 0.999794}}, {5, {0.984893, 0.999993, 1}}};
   for (const auto& [radius, expected] : rows) {
-    view.spread(gpu, plainSkin(), irradianceOn(*plane, [r = radius](double x, double y) {
-                  return x * x + y * y < r * r ? 1.0 : 0.0;
-                }));
+    view.light().spread(gpu, plainSkin(), irradianceOn(*plane, [r = radius](double x, double y) {
+                          return x * x + y * y < r * r ? 1.0 : 0.0;
+                        }));
     const glm::dvec3 found = leaving(*plane, view, 0.01, 0.01);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.006) << radius << " " << c;
   }
@@ -129,7 +133,8 @@ TEST_F(SkinViewTest, WhiteFurnace) {
   rig.lights[0].colour = glm::vec3(0);
   rig.environment[0] = glm::vec3(1 / 0.282095f);
   view.relight(gpu, {plainSkin(), {}, rig}, {});
-  const auto level0 = gl::readFloats(view.level(0), 4), rest = gl::readFloats(view.diffused(), 4);
+  const auto level0 = gl::readFloats(view.light().diffuser().level(0), 4),
+             rest = gl::readFloats(view.light().diffuser().result().map, 4);
   double worst = 0;
   for (std::size_t t = 0; t < plane->maps.position.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c)
@@ -147,7 +152,7 @@ TEST_F(SkinViewTest, IrradianceOfFarAndNearLights) {
   SkinView view;
   view.relight(gpu, {plainSkin(), {}, oneLight({1, 0, 1})}, {});
   const auto middle = [&] {
-    const auto values = gl::readFloats(view.level(0), 4);
+    const auto values = gl::readFloats(view.light().diffuser().level(0), 4);
     const glm::ivec2 size = plane->maps.size;
     return double(values[4 * std::size_t(size.y / 2 * size.x + size.x / 2)]);
   };
@@ -172,14 +177,15 @@ TEST_F(SkinViewTest, TurningTheCameraLeavesTheLight) {
   Camera camera = lookAlong({0, 0, -1}, {0, 1, 0}, gpu.box(), 1);
   const gl::Framebuffer picture({.size = {64, 64}});
   view.draw({.surface = gpu, .camera = camera, .look = look, .quality = {}}, picture);
-  EXPECT_TRUE(view.complete());
-  const auto level = gl::readFloats(view.level(5), 4), diffused = gl::readFloats(view.diffused(), 4);
+  EXPECT_TRUE((view.state() >= LightState::complete));
+  const auto level = gl::readFloats(view.light().diffuser().level(5), 4),
+             diffused = gl::readFloats(view.light().diffuser().result().map, 4);
   const auto first = gl::readImage(picture);
   camera.orbit(0.5f, 0.2f);
   view.draw({.surface = gpu, .camera = camera, .look = look, .quality = {}, .steps = 0}, picture);
-  EXPECT_TRUE(view.complete());
-  EXPECT_EQ(level, gl::readFloats(view.level(5), 4));
-  EXPECT_EQ(diffused, gl::readFloats(view.diffused(), 4));
+  EXPECT_TRUE((view.state() >= LightState::complete));
+  EXPECT_EQ(level, gl::readFloats(view.light().diffuser().level(5), 4));
+  EXPECT_EQ(diffused, gl::readFloats(view.light().diffuser().result().map, 4));
   EXPECT_NE(first.rgba, gl::readImage(picture).rgba);
 }
 
@@ -199,7 +205,7 @@ TEST_F(SkinViewTest, StepsArriveWhileLightMoves) {
   int begun = 0, arrived = 0;
   for (int frame = 0; frame < 40; ++frame) {
     view.draw({.surface = gpu, .camera = camera, .look = look(frame), .quality = {}, .steps = 1}, picture);
-    EXPECT_FALSE(view.complete()) << "the light has moved on";
+    EXPECT_LT(view.state(), LightState::complete) << "the light has moved on";
     std::vector<float> now = gl::readFloats(view.diffused(), 4);
     if (frame > 0 && now != shown) {
       whole.relight(gpu, look(begun), {});
@@ -210,9 +216,9 @@ TEST_F(SkinViewTest, StepsArriveWhileLightMoves) {
     shown = std::move(now);
   }
   EXPECT_GE(arrived, 3);
-  for (int frame = 0; frame < 30 && !view.complete(); ++frame)  // it rests
+  for (int frame = 0; frame < 30 && view.state() < LightState::complete; ++frame)  // it rests
     view.draw({.surface = gpu, .camera = camera, .look = look(40), .quality = {}, .steps = 1}, picture);
-  ASSERT_TRUE(view.complete());
+  ASSERT_GE(view.state(), LightState::complete);
   whole.relight(gpu, look(40), {});
   EXPECT_EQ(gl::readFloats(view.diffused(), 4), gl::readFloats(whole.diffused(), 4));
 }

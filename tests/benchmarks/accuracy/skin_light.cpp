@@ -6,6 +6,7 @@
 #include "core/skin/atlas_reading.h"
 #include "core/skin/block_diffusion.h"
 #include "render/gl/read_pixels.h"
+#include "render/skin/light_passes.h"
 #include "render/skin/skin_view.h"
 
 namespace sonoskin::accuracy {
@@ -35,8 +36,8 @@ LitAtlas litByPasses(std::shared_ptr<const SkinSurface> surface, const SkinLight
   SkinOptions plain;
   plain.colour = SkinColour::plain;
   plain.mix = plain.gloss = plain.translucency = 0;
-  view.spread(gpu, plain, irradianceMap(*surface, lighting));
-  return {std::move(surface), gl::readTexels(view.diffused())};
+  view.light().spread(gpu, plain, irradianceMap(*surface, lighting));
+  return {std::move(surface), gl::readTexels(view.light().diffuser().result().map)};
 }
 
 LitAtlas litByPoints(std::shared_ptr<const SkinSurface> surface, const SkinLighting& lighting) {
