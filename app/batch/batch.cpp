@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/batch/last_words.h"
+#include "app/batch/crash_message.h"
 #include "app/document/face_view.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
@@ -241,7 +241,7 @@ void publish(BatchRun& run, const Timer& timer) {
 
 // What was computed is safe by now. A renderer that has no memory may end the program without an exception.
 void addPictures(BatchRun& run, const Scan& scan, const Results& results, const Timer& timer) {
-  const LastWords words(
+  const CrashMessage message(
       "sonoskin: error: The pictures could not be drawn (memory may be short); the surface is written.\n");
   try {
     drawPictures(run, scan, results);

@@ -41,8 +41,8 @@ struct RenderOptions {
   SkinRenderOptions skin;
 };
 
-// Made: what is written: a picture, or a surface with the maps of its skin.
-struct Made {
+// RenderOutput: what is written: a picture, or a surface with the maps of its skin.
+struct RenderOutput {
   Image picture;
   std::optional<TexturedMesh> baked{};
 };
@@ -51,8 +51,8 @@ struct Made {
 constexpr double kLoaded = 0.3, kComputed = 0.9;
 
 // The surface, as the view says.
-Made showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context& context,
-              std::shared_ptr<const Mesh> mesh, Console& console) {
+RenderOutput showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                      std::shared_ptr<const Mesh> mesh, Console& console) {
   const Progress progress = console.progress().part(kComputed, 1);
   if (o.skin.bake != Bake::none) {
     console.beginStage("maps");
@@ -64,7 +64,8 @@ Made showMesh(const RenderOptions& o, const Parameters& parameters, gl::Context&
   return {pictureOfSkin(context, std::move(mesh), parameters, o.skin.picture(), o.picture, progress)};
 }
 
-Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
+RenderOutput showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                          Console& console) {
   if (o.view != "skin" && o.view != "mesh") {
     throw Error(
         fmt::format("--view {} is for volumes, and {} is a mesh; give skin or mesh.", o.view, o.files.volume),
@@ -83,7 +84,8 @@ Made showMeshFile(RenderOptions& o, const Parameters& parameters, gl::Context& c
   return showMesh(o, parameters, context, mesh, console);
 }
 
-Made showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context, Console& console) {
+RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::Context& context,
+                            Console& console) {
   if (o.scale != 1 || o.flip)
     throw Error("--scale and --flip are for meshes; of a volume correct the spacing in its header.",
                 Error::Kind::usage);
@@ -129,8 +131,9 @@ void render(RenderOptions& options, Console& console) {
   const Parameters parameters =
       withLandmarks(options.parameters.resolve(options.files.recipe), options.files.volume);
   const auto context = gl::makeOffscreenContext(options.backend);
-  const Made made = isMeshFile(options.files.volume) ? showMeshFile(options, parameters, *context, console)
-                                                     : showVolumeFile(options, parameters, *context, console);
+  const RenderOutput made = isMeshFile(options.files.volume)
+                                ? showMeshFile(options, parameters, *context, console)
+                                : showVolumeFile(options, parameters, *context, console);
   console.progress().throwIfCancelled();
   if (made.baked) {
     writeTexturedMesh(options.out, *made.baked);

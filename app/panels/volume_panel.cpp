@@ -11,7 +11,7 @@ namespace {
 
 // Another spacing makes another surface of it.
 void applySpacing(Workspace& workspace, const glm::dvec3& spacing) {
-  workspace.carefully("Setting the spacing", [&workspace, spacing] {
+  workspace.confirmLoss("Setting the spacing", [&workspace, spacing] {
     Parameters parameters = workspace.session.parameters();
     parameters.scan.spacing = {spacing.x, spacing.y, spacing.z};
     workspace.session.edit(parameters);

@@ -83,7 +83,7 @@ bool Application::frame() {
 void Application::answerClosing() {
   window_.keepOpen();  // until the question is answered, where there is one
   window_.requestFrames();
-  workspace_.carefully("Quitting", [this] { workspace_.quit = true; });
+  workspace_.confirmLoss("Quitting", [this] { workspace_.quit = true; });
 }
 
 // Keys are looked at when their frame has begun: whether a text field takes them is known only then.
@@ -111,12 +111,12 @@ void Application::updateDocument() {
     resetView(workspace_.view, scan, session.beam());
   }
   if (shownPoints_.see({session.results().points})) {
-    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtStart();
+    if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtFace();
   }
   if (session.reconstructions() != reconstructions_) {
     reconstructions_ = session.reconstructions();
     workspace_.view.content = SpaceContent::mesh;
-    if (!workspace_.view.cameraMoved) workspace_.lookAtStart();
+    if (!workspace_.view.cameraMoved) workspace_.lookAtFace();
   }
   const std::string title = session.hasScan() ? session.name() + " - Sonoskin" : "Sonoskin";
   if (title != title_) window_.setTitle(title_ = title);

@@ -8,10 +8,10 @@
 namespace sonoskin {
 namespace {
 
-// Current: while it lives, the context is this thread's.
-struct Current {
-  explicit Current(GLFWwindow* window) { glfwMakeContextCurrent(window); }
-  ~Current() { glfwMakeContextCurrent(nullptr); }
+// CurrentContext: while it lives, the context is this thread's.
+struct CurrentContext {
+  explicit CurrentContext(GLFWwindow* window) { glfwMakeContextCurrent(window); }
+  ~CurrentContext() { glfwMakeContextCurrent(nullptr); }
 };
 
 }  // namespace
@@ -34,7 +34,7 @@ BackgroundContext::BackgroundContext() {
 BackgroundContext::~BackgroundContext() { glfwDestroyWindow(window_); }
 
 void BackgroundContext::use(const std::function<void()>& draw) {
-  const Current current(window_);
+  const CurrentContext current(window_);
   draw();
 }
 

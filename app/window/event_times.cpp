@@ -28,12 +28,12 @@ int note(Display*, XEvent* event, XPointer list) {
   return False;
 }
 
-struct Noted {
+struct ServerEvent {
   std::optional<EventTimes::Kind> kind;  // none: GLFW does not report it
   Time time;
 };
 
-Noted read(const XEvent& event) {
+ServerEvent read(const XEvent& event) {
   using Kind = EventTimes::Kind;
   if (event.type == KeyPress || event.type == KeyRelease) return {Kind::key, event.xkey.time};
   if (event.type == MotionNotify || event.type == EnterNotify) return {Kind::motion, event.xmotion.time};
@@ -59,7 +59,7 @@ void EventTimes::look(double now) {
   XEvent none;
   ::XCheckIfEvent(display, &none, note, reinterpret_cast<XPointer>(&events));
   for (const XEvent& event : events) {
-    const Noted noted = read(event);
+    const ServerEvent noted = read(event);
     const double server = serverSeconds(std::uint32_t(noted.time));
     if (noted.kind) waiting_.push_back({*noted.kind, server});
   }
@@ -76,7 +76,7 @@ double EventTimes::serverSeconds(std::uint32_t milliseconds) {
 
 double EventTimes::next(Kind kind, double now) {
   while (!waiting_.empty()) {
-    const Waiting first = waiting_.front();
+    const TimedEvent first = waiting_.front();
     waiting_.pop_front();  // GLFW does not report all that X sends
     if (first.kind == kind) return std::min(now, first.server + ahead_);
   }

@@ -21,13 +21,13 @@ class EventTimes {
   void forget() { waiting_.clear(); }
 
  private:
-  struct Waiting {
+  struct TimedEvent {
     Kind kind;
     double server;  // seconds of the display's own clock
   };
   double serverSeconds(std::uint32_t milliseconds);
 
-  std::deque<Waiting> waiting_;
+  std::deque<TimedEvent> waiting_;
   std::uint32_t last_ = 0;
   std::int64_t server_ = 0;                            // the same, without its turns of 50 days
   double ahead_ = std::numeric_limits<double>::max();  // of our clock before the display's

@@ -29,11 +29,11 @@ void toggleMaximised(W& w, Pane pane) {
 
 void showAll(W& w) {
   resetView(w.view, w.session.scan(), w.session.beam());
-  w.lookAtStart();
+  w.lookAtFace();
 }
 
 void resetParameters(W& w) {
-  w.carefully("Setting all parameters back", [&w] {
+  w.confirmLoss("Setting all parameters back", [&w] {
     w.session.edit({});
     w.session.commitEdit();
   });
@@ -119,7 +119,7 @@ constexpr Shortcut controlShift(int k) { return {k, true, true}; }
 const Command kCommands[] = {
   {"file.open", "Open volume...", Menu::file, control(GLFW_KEY_O),
    [](W& w) { w.files.ask(ui::FilePurpose::openVolume, w.settings.folder, ""); }},
-  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.carefully("Opening the phantom", [&w] { w.session.openPhantom(); }); }},
+  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.confirmLoss("Opening the phantom", [&w] { w.session.openPhantom(); }); }},
   {"file.openRecipe", "Open recipe...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::openRecipe, w.settings.folder, ""); }, nullptr, nullptr, true},
   {"file.saveRecipe", "Save recipe...", Menu::file, {},
@@ -138,7 +138,7 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::openErased, w.settings.folder, ""); }, hasScan, nullptr, true},
   {"file.saveErased", "Save erased parts...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::saveErased, w.settings.folder, w.session.proposedName(".erased.nrrd")); }, hasErased},
-  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.carefully("Quitting", [&w] { w.quit = true; }); }, nullptr, nullptr, true},
+  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.confirmLoss("Quitting", [&w] { w.quit = true; }); }, nullptr, nullptr, true},
 
   {"edit.undo", "Undo", Menu::edit, control(GLFW_KEY_Z), [](W& w) { w.session.undo(); },
    [](const W& w) { return w.session.canUndo(); }},
@@ -146,7 +146,7 @@ const Command kCommands[] = {
    [](const W& w) { return w.session.canRedo(); }},
   {"edit.reset", "All parameters to their defaults", Menu::edit, {}, resetParameters, nullptr, nullptr, true},
 
-  {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtStart(); }, hasScan},
+  {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtFace(); }, hasScan},
   {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
   {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
    [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},

@@ -4,7 +4,7 @@
 
 namespace sonoskin {
 
-void Workspace::carefully(const std::string& what, std::function<void()> action) {
+void Workspace::confirmLoss(const std::string& what, std::function<void()> action) {
   if (session.hasUnsavedWork())
     question = {what, std::move(action)};
   else
@@ -12,13 +12,13 @@ void Workspace::carefully(const std::string& what, std::function<void()> action)
 }
 
 void Workspace::open(const std::filesystem::path& file) {
-  carefully("Opening another scan", [this, file] {
+  confirmLoss("Opening another scan", [this, file] {
     settings.noteOpened(file);
     session.openFile(file);
   });
 }
 
-void Workspace::lookAtStart() {
+void Workspace::lookAtFace() {
   const Results& results = session.results();
   const Beam beam = session.beam();
   resetCamera(view, beam, surroundings(session.scan(), results));

@@ -23,13 +23,13 @@ struct Workspace {
     std::string what;  // "Opening another scan"
     std::function<void()> action;
   };
-  // carefully: does something that ends the document, after a question where work would be lost.
-  void carefully(const std::string& what, std::function<void()> action);
+  // confirmLoss: does something that ends the document, after a question where work would be lost.
+  void confirmLoss(const std::string& what, std::function<void()> action);
   // open: a volume file, remembered as a recent one.
   void open(const std::filesystem::path& file);
 
-  // lookAtStart: at the face where it is known, else from the probe.
-  void lookAtStart();
+  // lookAtFace: at the face where it is known, else from the probe.
+  void lookAtFace();
 
   Session session;
   ViewState view;

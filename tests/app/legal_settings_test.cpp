@@ -82,7 +82,7 @@ class LegalSettings : public ImGuiTest {
   void expectFrame(const Parameters& parameters, const std::string& what) {
     ASSERT_NO_THROW({
       workspace.session.edit(parameters);
-      workspace.lookAtStart();
+      workspace.lookAtFace();
       frame();
       workspace.session.commitEdit();
     }) << what;

@@ -1,4 +1,4 @@
-#include "app/batch/last_words.h"
+#include "app/batch/crash_message.h"
 
 #include <unistd.h>
 
@@ -7,26 +7,26 @@
 namespace sonoskin {
 namespace {
 
-const char* volatile words = "";
+const char* volatile message = "";
 
 // Only what a signal handler may call.
-extern "C" void sayLastWords(int) {
-  const char* sentence = words;
+extern "C" void writeMessage(int) {
+  const char* sentence = message;
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence, std::strlen(sentence));
   ::_exit(1);
 }
 
 }  // namespace
 
-LastWords::LastWords(const char* sentence) {
-  words = sentence;
+CrashMessage::CrashMessage(const char* sentence) {
+  message = sentence;
   struct sigaction action = {};
-  action.sa_handler = sayLastWords;
+  action.sa_handler = writeMessage;
   ::sigaction(SIGABRT, &action, &oldAbort_);
   ::sigaction(SIGSEGV, &action, &oldAccess_);
 }
 
-LastWords::~LastWords() {
+CrashMessage::~CrashMessage() {
   ::sigaction(SIGABRT, &oldAbort_, nullptr);
   ::sigaction(SIGSEGV, &oldAccess_, nullptr);
 }
