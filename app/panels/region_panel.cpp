@@ -91,7 +91,7 @@ void drawEraser(Workspace& workspace) {
   ImGui::SameLine();
   commandButton("region.clear", "Bring everything back", width, workspace);
   const std::size_t voxels = workspace.session.erased().voxels();
-  if (workspace.view.erasing && beginFields("eraser")) {
+  if (isChosen(workspace.view, Tool::eraser) && beginFields("eraser")) {
     beginRow("Radius");
     const double least = kLeastBrush, most = kMostBrush;
     ImGui::SliderScalar("##radius", ImGuiDataType_Double, &workspace.view.brushRadius, &least, &most,

@@ -93,7 +93,7 @@ void drawSkinPanel(Workspace& workspace) {
   edit |= drawScattering(p, show);
   if (show.reach) drawProfilePanel(workspace);
   edit |= drawLight(p);
-  edit |= landmarkRows(p, show);
+  edit |= landmarkRows(p, workspace.view);
   applyEdit(workspace, p, edit);
   drawSkinShow(workspace);
 }

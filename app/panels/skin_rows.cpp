@@ -54,20 +54,17 @@ bool toggle(const std::string& title, bool on, float width) {
   return pressed;
 }
 
-FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, SkinShow& show) {
+FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState& view) {
   const NamedLandmark& landmark = kLandmarks[index];
   std::array<double, 3>& place = landmarks.*landmark.place;
   const float clear = 52 * unit();
-  const bool placing = show.placing == index;
+  const bool placing = isChosen(view, Tool::landmark) && view.landmark == index;
   beginRow(landmark.name);
   ImGui::PushID(landmark.name);
   const float width = ImGui::GetContentRegionAvail().x - clear - ImGui::GetStyle().ItemSpacing.x;
   if (toggle(placing ? "Click on it" : isSet(place) ? "Place again" : "Place", placing, width)) {
-    if (placing) {
-      show.placing.reset();
-    } else {
-      show.placing = index;
-    }
+    view.spaceTool = placing ? Tool::crossHair : Tool::landmark;
+    view.landmark = index;
   }
   noteWidget(fmt::format("landmark.{}", index));
   wrappedTooltip("Then click on the place in the 3D view. Escape: do not.");
@@ -164,12 +161,12 @@ FieldsEdit lookRow(Parameters& parameters) {
   return edit;
 }
 
-FieldsEdit landmarkRows(Parameters& parameters, SkinShow& show) {
+FieldsEdit landmarkRows(Parameters& parameters, ViewState& view) {
   FieldsEdit edit;
-  show.places = foldout("Landmarks", "Places of the face, for the colour of lips, lids and cheeks.");
-  if (!show.places) return edit;
+  view.skin.places = foldout("Landmarks", "Places of the face, for the colour of lips, lids and cheeks.");
+  if (!view.skin.places) return edit;
   if (beginFields("landmarks")) {
-    for (std::size_t i = 0; i < kLandmarks.size(); ++i) edit |= landmarkRow(i, parameters.landmarks, show);
+    for (std::size_t i = 0; i < kLandmarks.size(); ++i) edit |= landmarkRow(i, parameters.landmarks, view);
     endFields();
   }
   return edit;

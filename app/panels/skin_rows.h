@@ -11,7 +11,7 @@ namespace sonoskin::ui {
 FieldsEdit lookRow(Parameters& parameters);
 
 // landmarkRows: a heading, and below it for every landmark a button to place it and one to clear it.
-FieldsEdit landmarkRows(Parameters& parameters, SkinShow& show);
+FieldsEdit landmarkRows(Parameters& parameters, ViewState& view);
 
 // drawSkinShow: what is shown, what is compared, and how fine.
 void drawSkinShow(Workspace& workspace);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/views/use_tool.h"
 #include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
@@ -33,9 +34,8 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
     drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
   }
   endPane();
-  // Of a tool, quickly one after the other.
-  const bool dabs = which == Pane::space ? showsParts(workspace) : workspace.view.erasing;
-  if (pane.doubleClicked && !dabs) {
+  const PaneKind kind = which == Pane::space ? PaneKind::space : PaneKind::slice;
+  if (pane.doubleClicked && !takesDoubleClicks(workspace, kind)) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();
     } else {

@@ -23,6 +23,14 @@ struct PaneInput {
   bool control = false, shift = false;
 };
 
+// holdsLeft: whether the left button went down in the view and is down. withoutButton: the same for those who are not to
+// see a button.
+inline bool holdsLeft(const PaneInput& pane) { return pane.button == ImGuiMouseButton_Left; }
+inline PaneInput withoutButton(PaneInput pane) {
+  pane.button = -1;
+  return pane;
+}
+
 // beginPane: takes an area of the screen, notes what the mouse does there, and clips what is drawn to it.
 PaneInput beginPane(const char* id, ImVec2 corner, ImVec2 size);
 void endPane();

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "app/document/crop_box.h"
-#include "app/views/part_tools.h"
+#include "app/document/part_edits.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -27,6 +27,10 @@ std::pair<glm::vec3, glm::vec3> shownPart(const Workspace& w, const Geometry& sh
 
 bool showsMesh(const Workspace& w) {
   return w.view.content == SpaceContent::mesh && w.session.results().mesh;
+}
+
+bool showsParts(const Workspace& w) {
+  return w.view.parts && w.view.content == SpaceContent::mesh && hasParts(w.session.results());
 }
 
 bool wantsSkin(const Workspace& w) {

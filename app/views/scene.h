@@ -12,8 +12,9 @@
 
 namespace sonoskin::ui {
 
-// showsMesh, wantsSkin: what the 3D view is to show. Skin takes a while to be prepared.
+// showsMesh, showsParts, wantsSkin: what the 3D view is to show. Skin takes a while to be prepared.
 bool showsMesh(const Workspace& workspace);
+bool showsParts(const Workspace& workspace);
 bool wantsSkin(const Workspace& workspace);
 std::shared_ptr<const Volume<float>> shownVolume(const Workspace& workspace);
 

@@ -1,28 +1,10 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
-#include "app/views/pane.h"
-#include "app/workspace/workspace.h"
+#include "app/views/tools.h"
 
 namespace sonoskin::ui {
 
-// Marks over the skin view.
-
-// dialRadius: of the lamp's dial, pixels; see app/workspace/lamp_dial.h. lampPlace: the lamp's mark, from the pane's corner.
-float dialRadius(const PaneInput& pane);
-glm::vec2 lampPlace(const Workspace& workspace, const PaneInput& pane);
-// drawLamp: the movable light: far ones have rays, near ones are a lamp; those behind the surface are hollow. `near`:
-// the mouse is there: the dial's rim is shown too, and the distance.
-void drawLamp(const Workspace& workspace, const PaneInput& pane, bool near);
-
-// drawDivider: the line between the halves, and what they are.
-void drawDivider(const Workspace& workspace, const PaneInput& pane, bool near);
-
-// drawLandmarks: a small mark with its name for each that is set; what to do while one is being placed.
-void drawLandmarks(const Workspace& workspace, const PaneInput& pane);
-
-// drawReach: rings around the place in the middle, as far as half and nine tenths of the red and the green light go.
-void drawReach(const Workspace& workspace, const PaneInput& pane);
+// drawSkinMarks: what is shown over skin: lamp, line between the halves, landmarks, and how far light spreads.
+void drawSkinMarks(const ToolState& state, const Workspace& workspace, const PaneInput& pane);
 
 }  // namespace sonoskin::ui

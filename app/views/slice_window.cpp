@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/views/steering.h"
+#include "app/views/use_tool.h"
 #include "app/widgets/theme.h"
 #include "core/pipeline/parameter_key.h"
 
@@ -20,15 +22,6 @@ const char* nameOf(Plane plane) {
 ImVec4 colourOf(Plane plane) {
   const std::array<ImVec4, 3> colours{kSagittal, kCoronal, kAxial};
   return colours[std::size_t(plane)];
-}
-
-SliceCamera cameraOf(const ViewState& view, Plane plane) {
-  const SlicePose& pose = view.slices[std::size_t(plane)];
-  return {plane, view.cursor, pose.pan, pose.zoom};
-}
-
-SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
-  return sliceFrame(geometry, cameraOf(view, plane), glm::ivec2(pane.size));
 }
 
 bool marksVoxels(const Workspace& w) {
@@ -134,48 +127,6 @@ void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
 
 }  // namespace
 
-// The cursor stays inside the volume and, across the slice, on a voxel's centre.
-static glm::dvec3 keepInside(const Geometry& geometry, const glm::dvec3& world) {
-  const glm::dvec3 index = glm::clamp(geometry.toIndex(world), glm::dvec3(0), glm::dvec3(geometry.dims - 1));
-  return geometry.toWorld(glm::round(index));
-}
-
-static void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
-                      const PaneInput& pane) {
-  SlicePose& pose = view.slices[std::size_t(plane)];
-  if (!pane.control) {
-    turns += double(pane.wheel);
-    const double whole = std::trunc(turns);
-    turns -= whole;
-    glm::dvec3 index = geometry.toIndex(view.cursor);
-    index[axisAcross(plane)] += whole;
-    view.cursor = keepInside(geometry, geometry.toWorld(index));
-    return;
-  }
-  // The point under the mouse stays where it is.
-  const glm::dvec2 fromMiddle = glm::dvec2(pane.mouse) - 0.5 * glm::dvec2(pane.size);
-  const double before = frameOf(view, plane, geometry, pane).millimetresPerPixel();
-  pose.zoom = std::clamp(pose.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
-  const double after = frameOf(view, plane, geometry, pane).millimetresPerPixel();
-  pose.pan += fromMiddle * (after - before);
-}
-
-void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
-                const PaneInput& pane) {
-  if (pane.wheel != 0) turnWheel(view, plane, geometry, turns, pane);
-  if (pane.button < 0) return;
-  const SliceFrame frame = frameOf(view, plane, geometry, pane);
-  const glm::vec2 moved = pane.moved / unit();
-  if (pane.button == ImGuiMouseButton_Right) {
-    view.grey.width = std::clamp(view.grey.width + moved.x * 0.004f, 0.02f, 2.0f);
-    view.grey.level = std::clamp(view.grey.level + moved.y * 0.003f, 0.0f, 1.0f);
-  } else if (pane.button == ImGuiMouseButton_Middle || pane.shift) {
-    view.slices[std::size_t(plane)].pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
-  } else {
-    view.cursor = keepInside(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
-  }
-}
-
 void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans,
                      Workspace& workspace, const PaneInput& pane) {
   if (!workspace.session.hasScan()) {
@@ -183,12 +134,13 @@ void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>&
     return;
   }
   const Geometry& geometry = workspace.session.scan().volume->geometry;
-  const PaneInput rest =
-      useSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
-  steerSlice(workspace.view, plane, geometry, window.turns, rest);
+  const auto seen = [&] {
+    return ToolPane{pane, ToolPane::Slice{plane, frameOf(workspace.view, plane, geometry, pane)}};
+  };
+  useTool(window.tools, workspace, seen());
   refresh(window, plane, view, scans, workspace, glm::max(glm::ivec2(pane.size), glm::ivec2(1)));
   showTexture(pane, window.picture);
-  drawSliceTools(window.tools, workspace, plane, frameOf(workspace.view, plane, geometry, pane), pane);
+  drawTool(window.tools, workspace, seen());
   drawMarks(pane, workspace, plane);
 }
 

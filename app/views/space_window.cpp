@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "app/views/box_lines.h"
+#include "app/views/skin_marks.h"
 #include "app/views/space_picture.h"
+#include "app/views/use_tool.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 
@@ -55,27 +57,6 @@ void drawAxes(const PaneInput& pane, const Workspace& w) {
 
 }  // namespace
 
-bool steer(Camera& camera, const PaneInput& pane) {
-  constexpr float kRadiansPerPixel = 0.008f, kZoomPerPixel = 1.006f, kZoomPerNotch = 1.12f;
-  const glm::vec2 moved = pane.moved / unit();
-  bool changed = false;
-  if (pane.button >= 0 && pane.moved != glm::vec2(0)) {
-    changed = true;
-    if (pane.button == ImGuiMouseButton_Middle || (pane.button == ImGuiMouseButton_Left && pane.shift)) {
-      camera.pan({pane.moved.x, -pane.moved.y}, static_cast<int>(pane.size.y));
-    } else if (pane.button == ImGuiMouseButton_Left) {
-      camera.orbit(-moved.x * kRadiansPerPixel, moved.y * kRadiansPerPixel);
-    } else {
-      camera.zoom(std::pow(kZoomPerPixel, -moved.y));
-    }
-  }
-  if (pane.wheel != 0) {
-    changed = true;
-    camera.zoom(std::pow(kZoomPerNotch, pane.wheel));
-  }
-  return changed;
-}
-
 double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane) {
   const double now = ImGui::GetTime();
   if (!workspace.session.hasScan()) {
@@ -88,17 +69,14 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (skin) {
     for (const std::string& failure : window.skin.update(workspace)) workspace.toasts.add(failure, true);
   }
-  const PaneInput rest = skin                    ? useSkinTools(window.skinTools, workspace, pane)
-                         : showsParts(workspace) ? usePartTools(window.partTools, workspace, pane)
-                                                 : pane;
-  if (steer(workspace.view.camera, rest)) workspace.view.cameraMoved = true;
+  useTool(window.tools, workspace, {pane});
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   window.state.moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
   advancePicture(window, scans, workspace, glm::ivec2(pane.size));
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
-  if (skin) drawSkinMarks(window.skinTools, workspace, pane);
-  if (showsParts(workspace)) drawPartMarks(window.partTools, pane);
+  if (skin) drawSkinMarks(window.tools, workspace, pane);
+  drawTool(window.tools, workspace, {pane});
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawAxes(pane, workspace);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));

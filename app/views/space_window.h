@@ -3,11 +3,10 @@
 #include <optional>
 
 #include "app/views/pane.h"
-#include "app/views/part_tools.h"
 #include "app/views/picture_state.h"
 #include "app/views/scene.h"
 #include "app/views/skin_scene.h"
-#include "app/views/skin_tools.h"
+#include "app/views/tools.h"
 #include "app/workspace/objects_seen.h"
 #include "app/workspace/workspace.h"
 #include "render/gl/gpu_timer.h"
@@ -28,9 +27,8 @@ struct SpaceWindow {
   std::optional<gl::GpuTimer> timer;
   GpuMesh mesh;
   SkinScene skin;
-  SkinTools skinTools;
   PartsScene parts;
-  PartTools partTools;
+  ToolState tools;
   gl::Framebuffer picture;
   PictureState state;
   Key drawn;                      // of what the picture shows
@@ -43,9 +41,5 @@ struct SpaceWindow {
 // drawSpaceWindow: the picture and its marks; turns what the mouse did into the camera.
 //   output  seconds after which it wants a frame; negative for never
 double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane);
-
-// steer: what a mouse does to a camera: left rotates, middle or Shift+left pans, right or wheel zooms.
-//   output  whether the camera has changed
-bool steer(Camera& camera, const PaneInput& pane);
 
 }  // namespace sonoskin::ui

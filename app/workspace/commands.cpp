@@ -94,22 +94,27 @@ void toggleMessages(W& w) {
     w.toasts.log.open();
 }
 
+// The tool that Escape puts away; null for none. Work that a person waits for ends before the tools that wait for it.
+const Tool* chosenTool(const W& w) {
+  const bool waits = w.session.activity().blocking;
+  const auto found = std::ranges::find_if(
+      kTools, [&](Tool tool) { return isChosen(w.view, tool) && (!waits || tool == Tool::landmark); });
+  return found == kTools.end() ? nullptr : &*found;
+}
+
 // Escape ends what is most in the way.
-void stop(W& w) {
+void escape(W& w) {
   if (w.question) {
     w.question.reset();
-  } else if (w.view.skin.placing) {
-    w.view.skin.placing.reset();
-  } else if (w.view.erasing && !w.session.activity().blocking) {
-    w.view.erasing = false;
-  } else if (w.view.parts && !w.session.activity().blocking) {
-    w.view.parts = false;
+  } else if (const Tool* tool = chosenTool(w)) {
+    putAway(w.view, *tool);
   } else if (busy(w)) {
     w.session.cancel();
   } else {
     w.view.maximised.reset();
   }
 }
+bool canEscape(const W& w) { return w.question || chosenTool(w) || busy(w) || w.view.maximised; }
 
 constexpr Shortcut key(int k) { return {k, false, false}; }
 constexpr Shortcut control(int k) { return {k, true, false}; }
@@ -175,8 +180,8 @@ const Command kCommands[] = {
   {"region.box", "Show the crop box", Menu::region, key(GLFW_KEY_B), [](W& w) { w.view.cropBox = !w.view.cropBox; },
    hasScan, [](const W& w) { return w.view.cropBox; }},
   {"region.resetBox", "Crop box around the whole volume", Menu::region, {}, resetCropBox, isCut},
-  {"region.erase", "Erase in the slices", Menu::region, key(GLFW_KEY_E), [](W& w) { w.view.erasing = !w.view.erasing; },
-   hasScan, [](const W& w) { return w.view.erasing; }, true},
+  {"region.erase", "Erase in the slices", Menu::region, key(GLFW_KEY_E), [](W& w) { toggle(w.view.sliceTool, Tool::eraser); },
+   hasScan, [](const W& w) { return isChosen(w.view, Tool::eraser); }, true},
   {"region.smaller", "Smaller eraser", Menu::region, key(GLFW_KEY_LEFT_BRACKET), [](W& w) { scaleBrush(w, 1 / 1.2); }, hasScan},
   {"region.larger", "Larger eraser", Menu::region, key(GLFW_KEY_RIGHT_BRACKET), [](W& w) { scaleBrush(w, 1.2); }, hasScan},
   {"region.clear", "Bring everything back", Menu::region, {}, [](W& w) { w.session.clearErased(); }, hasErased},
@@ -186,8 +191,7 @@ const Command kCommands[] = {
   {"surface.follow", "Surface follows the parameters", Menu::surface, key(GLFW_KEY_L),
    [](W& w) { w.session.followParameters(!w.session.followsParameters()); }, nullptr,
    [](const W& w) { return w.session.followsParameters(); }},
-  {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), stop,
-   [](const W& w) { return w.question || busy(w) || w.view.erasing || w.view.parts || w.view.maximised || w.view.skin.placing; }},
+  {"surface.cancel", "Cancel", Menu::surface, key(GLFW_KEY_ESCAPE), escape, canEscape},
   {"surface.parts", "Parts in colours", Menu::surface, key(GLFW_KEY_P), toggleParts, canShowParts,
    [](const W& w) { return w.view.parts; }, true},
   {"surface.faceAlone", "The face alone", Menu::surface, {}, leaveFaceAlone, canShowParts},

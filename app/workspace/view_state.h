@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "app/workspace/tool.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/pipeline.h"
 #include "core/volume/scan.h"
@@ -56,14 +57,12 @@ struct SkinStatus {
 //   lamp      the movable light's mark
 //   reach     rings around the place in the middle: how far light spreads below the surface
 //   places    marks of the landmarks
-//   placing   the landmark that the next click on the surface places; see kLandmarks
 struct SkinShow {
   SkinPass pass = SkinPass::skin;
   SkinCompare compare = SkinCompare::off;
   float divider = 0.5f;
   std::optional<SkinSettings> kept;
   bool lamp = true, reach = false, places = false;
-  std::optional<std::size_t> placing;
   SkinStatus status;
 };
 
@@ -73,10 +72,7 @@ struct ViewState {
   GreyWindow grey;       // of the raw slices
   SliceLayer layer = SliceLayer::raw;
   bool surfaceVoxels = true;
-  bool cropBox = true;              // its lines in all views, and its sides can be dragged
-  bool erasing = false;             // the left button erases in slices
-  double brushRadius = 6;           // mm
-  bool toolHeld = false;            // the eraser or a side of the box, by the mouse: the 3D view draws drafts
+  bool cropBox = true;              // its lines in all views
   std::array<SlicePose, 3> slices;  // by Plane
 
   SpaceContent content = SpaceContent::volume;
@@ -85,12 +81,18 @@ struct ViewState {
   bool crop = true;  // to the box around the surface points
   MeshStyle meshStyle = MeshStyle::skin;
   bool unmeasured = false;  // marked on mesh and skin: what was filled in or lies at the border of the data
-  bool parts = false;       // the mesh in the colours of its parts, to take them away and bring them back
+  bool parts = false;       // the mesh in the colours of its parts, which can be taken away and brought back
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;
   Camera camera;
   bool cameraMoved = false;  // by the person, since it was last reset
+
+  // What a person has chosen for the left button; where it is the cross-hair, what is shown has a say: see useTool.
+  Tool sliceTool = Tool::crossHair, spaceTool = Tool::crossHair;
+  double brushRadius = 6;    // of the eraser, mm
+  std::size_t landmark = 0;  // that is placed next; see kLandmarks
+  bool toolHeld = false;     // by the left button, in any view: the 3D view draws drafts
 
   std::optional<Pane> maximised;
   // catchingUp: this frame is not shown, for input of another one waits; the views keep their pictures.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/workspace/workspace.h"
+#include "tests/app/session_support.h"
 
 namespace sonoskin {
 namespace {
@@ -41,6 +42,53 @@ TEST(Commands, NothingThatNeedsAScanWithoutOne) {
     EXPECT_FALSE(isEnabled(command(id), workspace)) << id;
   }
   EXPECT_TRUE(isEnabled(command("file.open"), workspace));
+}
+
+bool canEscape(const Workspace& workspace) { return isEnabled(command("surface.cancel"), workspace); }
+void escape(Workspace& workspace) { command("surface.cancel").run(workspace); }
+
+TEST(Escape, PutsEveryToolAway) {
+  for (const Tool tool : kTools) {
+    Workspace workspace{Parameters()};
+    ViewState& view = workspace.view;
+    view.sliceTool = view.spaceTool = tool;
+    EXPECT_EQ(canEscape(workspace), tool != Tool::crossHair) << int(tool);
+    escape(workspace);
+    EXPECT_EQ(view.sliceTool, Tool::crossHair) << int(tool);
+    EXPECT_EQ(view.spaceTool, Tool::crossHair) << int(tool);
+    EXPECT_FALSE(canEscape(workspace)) << int(tool);
+  }
+}
+
+// One thing at a time, and work that a person waits for before the tools that wait for it.
+TEST(Escape, EndsWhatIsMostInTheWay) {
+  Workspace workspace{Parameters()};
+  ViewState& view = workspace.view;
+  view.maximised = Pane::space;
+  view.parts = true;
+  view.sliceTool = Tool::eraser;
+  view.spaceTool = Tool::landmark;
+  workspace.session.openPhantom();
+  workspace.question = {"Quitting", [] {}};
+  escape(workspace);
+  EXPECT_FALSE(workspace.question);
+  EXPECT_EQ(view.spaceTool, Tool::landmark);
+  escape(workspace);
+  EXPECT_EQ(view.spaceTool, Tool::crossHair);
+  ASSERT_TRUE(workspace.session.activity().blocking);
+  escape(workspace);
+  ASSERT_TRUE(test::wait(workspace.session));
+  EXPECT_FALSE(workspace.session.hasScan());
+  EXPECT_EQ(view.sliceTool, Tool::eraser);
+  escape(workspace);
+  EXPECT_EQ(view.sliceTool, Tool::crossHair);
+  EXPECT_TRUE(view.parts);
+  escape(workspace);
+  EXPECT_FALSE(view.parts);
+  EXPECT_TRUE(view.maximised);
+  escape(workspace);
+  EXPECT_FALSE(view.maximised);
+  EXPECT_FALSE(canEscape(workspace));
 }
 
 TEST(Commands, UndoRunsOnTheWorkspace) {

@@ -111,9 +111,11 @@ class LegalSettings : public ImGuiTest {
       const Parameters& p = workspace.session.parameters();
       v.skin.kept = SkinSettings{p.skin, p.light, p.landmarks};
     });
-    for (bool* flag : {&v.surfaceVoxels, &v.cropBox, &v.erasing, &v.crop, &v.unmeasured, &v.parts,
-                       &v.skin.lamp, &v.skin.reach, &v.skin.places, &v.toolHeld})
+    for (bool* flag : {&v.surfaceVoxels, &v.cropBox, &v.crop, &v.unmeasured, &v.parts, &v.skin.lamp,
+                       &v.skin.reach, &v.skin.places, &v.toolHeld})
       add("flag", 2, [flag](int i) { *flag = i == 1; });
+    add("sliceTool", int(kTools.size()), [&v](int i) { v.sliceTool = Tool(i); });
+    add("spaceTool", int(kTools.size()), [&v](int i) { v.spaceTool = Tool(i); });
     add("maximised", 5, [&v](int i) { v.maximised = i < 4 ? std::optional(Pane(i)) : std::nullopt; });
   }
 

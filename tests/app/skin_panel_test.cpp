@@ -132,9 +132,10 @@ TEST_F(SkinPanel, PlacesAndClearsLandmarks) {
   press("foldout.Landmarks");
   ASSERT_TRUE(isSet(workspace.session.parameters().landmarks.noseTip)) << "the phantom's own";
   press("landmark.2");
-  EXPECT_EQ(workspace.view.skin.placing, std::size_t(2));
+  EXPECT_EQ(workspace.view.spaceTool, Tool::landmark);
+  EXPECT_EQ(workspace.view.landmark, std::size_t(2));
   press("landmark.2");
-  EXPECT_FALSE(workspace.view.skin.placing);
+  EXPECT_EQ(workspace.view.spaceTool, Tool::crossHair);
   press("landmark.2.clear");
   EXPECT_FALSE(isSet(workspace.session.parameters().landmarks.noseTip));
   workspace.session.undo();

@@ -87,7 +87,7 @@ TEST_F(WindowTest, ErasesAStroke) {
   const Image plain = d.screenshot("sonoskin_not_erased");
 
   d.press("e");
-  ASSERT_TRUE(d.workspace().view.erasing);
+  ASSERT_EQ(d.workspace().view.sliceTool, Tool::eraser);
   const double radius = d.workspace().view.brushRadius;
   d.press("bracketright");
   EXPECT_GT(d.workspace().view.brushRadius, radius);
@@ -124,7 +124,7 @@ TEST_F(WindowTest, ErasesAStroke) {
   ASSERT_TRUE(d.waitUntilIdle());
   EXPECT_EQ(d.session().results().points->positions, before->positions);
   d.press("Escape");
-  EXPECT_FALSE(d.workspace().view.erasing);
+  EXPECT_EQ(d.workspace().view.sliceTool, Tool::crossHair);
   EXPECT_TRUE(d.workspace().toasts.list.empty()) << d.workspace().toasts.list.front().text;
   EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
 }

@@ -163,12 +163,13 @@ TEST_F(SkinWindowTest, OpensItsPanel) {
 
 TEST_F(SkinWindowTest, PlacesALandmarkWithAClick) {
   Driver& d = *driver;
-  d.workspace().view.skin.placing = 2;
+  d.workspace().view.spaceTool = Tool::landmark;
+  d.workspace().view.landmark = 2;
   const ImVec2 nose = d.point("pane.space");
   d.moveTo(nose);
   d.mouse("mousedown 1");
   d.mouse("mouseup 1");
-  EXPECT_FALSE(d.workspace().view.skin.placing);
+  EXPECT_EQ(d.workspace().view.spaceTool, Tool::crossHair);
   const auto& place = d.session().parameters().landmarks.noseTip;
   ASSERT_TRUE(isSet(place));
   const glm::vec3 at(place[0], place[1], place[2]);

@@ -1,12 +1,11 @@
-#include "app/views/part_tools.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "app/document/part_edits.h"
 #include "app/views/projection.h"
+#include "app/views/scene.h"
+#include "app/views/tools.h"
 #include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
@@ -24,12 +23,12 @@ std::string areaOf(const Workspace& w, std::uint32_t part) {
   return fmt::format("{:.1f} cm²", area / 100);
 }
 
-void clickPart(const PartTools& tools, Workspace& w, const PaneInput& pane) {
-  const auto pick = pickAt(w, pane, tools.from);
+void clickPart(const ToolState::Stroke& stroke, Workspace& w, const PaneInput& input) {
+  const auto pick = pickAt(w, input, stroke.from);
   if (!pick) return;
   const Results& results = w.session.results();
   const MeshOptions& options = w.session.parameters().mesh;
-  if (tools.alone) {
+  if (stroke.shift) {
     w.session.editParts(partAlone(results, options, *pick));
     w.toasts.add("This part alone. Ctrl+Z: as before.", false);
     return;
@@ -46,10 +45,10 @@ void clickPart(const PartTools& tools, Workspace& w, const PaneInput& pane) {
   w.session.editParts(*changed);
 }
 
-void splitAlong(const PartTools& tools, Workspace& w, const PaneInput& pane) {
-  if (glm::distance(tools.from, tools.to) < kLeastStroke * unit()) return;
+void splitAlong(const ToolState::Stroke& line, Workspace& w, const PaneInput& input) {
+  if (glm::distance(line.from, line.to) < kLeastStroke * unit()) return;
   const Camera& camera = w.view.camera;
-  const auto rayAt = [&](float t) { return rayThrough(glm::mix(tools.from, tools.to, t), camera, pane); };
+  const auto rayAt = [&](float t) { return rayThrough(glm::mix(line.from, line.to, t), camera, input); };
   const auto stroke = strokeAcross(w.session.results(), camera.eye(), rayAt);
   if (!stroke) {
     w.toasts.add("There is no part below the line: draw it across one.", false);
@@ -59,46 +58,33 @@ void splitAlong(const PartTools& tools, Workspace& w, const PaneInput& pane) {
   w.toasts.add("Split along the line. Ctrl+Z: as before.", false);
 }
 
-void letGo(PartTools& tools, Workspace& w, const PaneInput& pane) {
-  const PartTools::Held held = std::exchange(tools.held, PartTools::Held::nothing);
-  w.view.toolHeld = false;
-  if (w.session.activity().blocking) return;
-  if (held == PartTools::Held::click) clickPart(tools, w, pane);
-  if (held == PartTools::Held::stroke) splitAlong(tools, w, pane);
-}
-
 }  // namespace
 
-bool showsParts(const Workspace& workspace) {
-  return workspace.view.parts && workspace.view.content == SpaceContent::mesh &&
-         hasParts(workspace.session.results());
+PaneInput usePartTool(ToolState& state, Workspace&, const ToolPane& pane) {
+  const PaneInput& input = pane.input;
+  if (input.pressed && holdsLeft(input)) {
+    state.held = Tool::parts;
+    state.stroke = {input.mouse, input.mouse, input.control, input.shift};
+  }
+  if (!state.held) return input;
+  state.stroke.to = input.mouse;
+  if (state.stroke.control) return withoutButton(input);
+  // A click that moves is a turn of the camera.
+  if (glm::distance(state.stroke.from, state.stroke.to) > kClickReach * unit()) state.held.reset();
+  return input;
 }
 
-PaneInput usePartTools(PartTools& tools, Workspace& workspace, const PaneInput& pane) {
-  const bool left = pane.button == ImGuiMouseButton_Left;
-  if (pane.pressed && left) {
-    tools = {pane.control ? PartTools::Held::stroke : PartTools::Held::click, pane.mouse, pane.mouse,
-             pane.shift};
-    workspace.view.toolHeld = tools.held == PartTools::Held::stroke;
-  }
-  if (tools.held == PartTools::Held::nothing) return pane;
-  if (!left) {
-    letGo(tools, workspace, pane);
-    return pane;
-  }
-  tools.to = pane.mouse;
-  if (tools.held == PartTools::Held::click) {
-    if (glm::distance(tools.from, tools.to) > kClickReach * unit()) tools.held = PartTools::Held::nothing;
-    return pane;
-  }
-  PaneInput rest = pane;
-  rest.button = -1;
-  return rest;
+void letGoPartTool(ToolState& state, Workspace& w, const ToolPane& pane) {
+  if (w.session.activity().blocking || !showsParts(w)) return;
+  if (state.stroke.control)
+    splitAlong(state.stroke, w, pane.input);
+  else
+    clickPart(state.stroke, w, pane.input);
 }
 
-void drawPartMarks(const PartTools& tools, const PaneInput& pane) {
-  if (tools.held != PartTools::Held::stroke) return;
-  const glm::vec2 a = pane.corner + tools.from, b = pane.corner + tools.to;
+void drawPartTool(const ToolState& state, const Workspace&, const ToolPane& pane) {
+  if (!state.held || !state.stroke.control) return;
+  const glm::vec2 a = pane.input.corner + state.stroke.from, b = pane.input.corner + state.stroke.to;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({a.x, a.y}, {b.x, b.y}, IM_COL32(0, 0, 0, 170), 4 * unit());
   list.AddLine({a.x, a.y}, {b.x, b.y}, IM_COL32(255, 255, 255, 255), 1.5f * unit());

@@ -1,0 +1,84 @@
+#include "app/views/steering.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/widgets/theme.h"
+
+namespace sonoskin::ui {
+namespace {
+
+// The cursor stays inside the volume and, across the slice, on a voxel's centre.
+glm::dvec3 keepInside(const Geometry& geometry, const glm::dvec3& world) {
+  const glm::dvec3 index = glm::clamp(geometry.toIndex(world), glm::dvec3(0), glm::dvec3(geometry.dims - 1));
+  return geometry.toWorld(glm::round(index));
+}
+
+void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& turns, const PaneInput& pane) {
+  SlicePose& pose = view.slices[std::size_t(plane)];
+  if (!pane.control) {
+    turns += double(pane.wheel);
+    const double whole = std::trunc(turns);
+    turns -= whole;
+    glm::dvec3 index = geometry.toIndex(view.cursor);
+    index[axisAcross(plane)] += whole;
+    view.cursor = keepInside(geometry, geometry.toWorld(index));
+    return;
+  }
+  // The point under the mouse stays where it is.
+  const glm::dvec2 fromMiddle = glm::dvec2(pane.mouse) - 0.5 * glm::dvec2(pane.size);
+  const double before = frameOf(view, plane, geometry, pane).millimetresPerPixel();
+  pose.zoom = std::clamp(pose.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
+  const double after = frameOf(view, plane, geometry, pane).millimetresPerPixel();
+  pose.pan += fromMiddle * (after - before);
+}
+
+}  // namespace
+
+SliceCamera cameraOf(const ViewState& view, Plane plane) {
+  const SlicePose& pose = view.slices[std::size_t(plane)];
+  return {plane, view.cursor, pose.pan, pose.zoom};
+}
+
+SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
+  return sliceFrame(geometry, cameraOf(view, plane), glm::ivec2(pane.size));
+}
+
+void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
+                const PaneInput& pane) {
+  if (pane.wheel != 0) turnWheel(view, plane, geometry, turns, pane);
+  if (pane.button < 0) return;
+  const SliceFrame frame = frameOf(view, plane, geometry, pane);
+  const glm::vec2 moved = pane.moved / unit();
+  if (pane.button == ImGuiMouseButton_Right) {
+    view.grey.width = std::clamp(view.grey.width + moved.x * 0.004f, 0.02f, 2.0f);
+    view.grey.level = std::clamp(view.grey.level + moved.y * 0.003f, 0.0f, 1.0f);
+  } else if (pane.button == ImGuiMouseButton_Middle || pane.shift) {
+    view.slices[std::size_t(plane)].pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
+  } else {
+    view.cursor = keepInside(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
+  }
+}
+
+bool steer(Camera& camera, const PaneInput& pane) {
+  constexpr float kRadiansPerPixel = 0.008f, kZoomPerPixel = 1.006f, kZoomPerNotch = 1.12f;
+  const glm::vec2 moved = pane.moved / unit();
+  bool changed = false;
+  if (pane.button >= 0 && pane.moved != glm::vec2(0)) {
+    changed = true;
+    if (pane.button == ImGuiMouseButton_Middle || (pane.button == ImGuiMouseButton_Left && pane.shift)) {
+      camera.pan({pane.moved.x, -pane.moved.y}, static_cast<int>(pane.size.y));
+    } else if (pane.button == ImGuiMouseButton_Left) {
+      camera.orbit(-moved.x * kRadiansPerPixel, moved.y * kRadiansPerPixel);
+    } else {
+      camera.zoom(std::pow(kZoomPerPixel, -moved.y));
+    }
+  }
+  if (pane.wheel != 0) {
+    changed = true;
+    camera.zoom(std::pow(kZoomPerNotch, pane.wheel));
+  }
+  return changed;
+}
+
+}  // namespace sonoskin::ui

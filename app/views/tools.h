@@ -1,0 +1,78 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "app/document/crop_box.h"
+#include "app/views/pane.h"
+#include "app/workspace/workspace.h"
+#include "render/slice_frame.h"
+
+namespace sonoskin::ui {
+
+// The tools of the mouse, one file each; app/views/use_tool.h says which of them is used.
+
+// ToolPane: a view as its tools see it.
+//   input  what the mouse does there
+//   slice  which slice it shows, and how; none in 3D
+struct ToolPane {
+  struct Slice {
+    Plane plane = Plane::axial;
+    SliceFrame frame;
+  };
+  PaneInput input;
+  std::optional<Slice> slice{};
+};
+
+// ToolState: what the tools of one view keep from one frame to the next.
+struct ToolState {
+  std::optional<Tool> held;  // has had the left button since it went down
+  Grip grip;                 // of the crop box: the sides that are dragged
+  glm::dvec3 brushAt{0};     // of the eraser: where it was, world mm
+  // Of the parts: where the button went down and where it is, from the view's upper left corner, and whether Ctrl and
+  // Shift were down.
+  struct Stroke {
+    glm::vec2 from{0}, to{0};
+    bool control = false, shift = false;
+  } stroke;
+  // Of the lamp: from the mouse to the lamp, pixels; it may be the line between the halves that is held; whether the wheel
+  // has changed the distance, which is not a step for undo yet.
+  struct Lamp {
+    glm::vec2 offset{0};
+    bool divider = false, turning = false;
+  } lamp;
+  double turns = 0;  // of the wheel in a slice, not yet a whole slice
+};
+
+// use...: one frame of a tool that can be used; those that keep the button set `held`.
+//   output  what is left of the mouse
+// letGo...: the button that it held has gone up, or the tool was put away with the button down.
+// draw...: its own marks. What is shown with any tool is not drawn here.
+
+// A click on the surface gives it the landmark.
+PaneInput useLandmarkTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+
+// Left erases, with Ctrl or Shift it brings back.
+PaneInput useEraser(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoEraser(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void drawEraser(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+
+// A click takes the part below the mouse away or brings it back, with Shift it leaves that part alone; a line drawn with
+// Ctrl splits the part that it crosses.
+PaneInput usePartTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoPartTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void drawPartTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+// partCaption: how many parts are shown, and what the mouse does.
+std::string partCaption(const Workspace& workspace);
+
+// Moves the lamp or the line between the halves; the wheel changes the lamp's distance.
+PaneInput useLampTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoLampTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+
+// Left drags the sides of the crop box.
+PaneInput useCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void drawCropBoxTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+
+}  // namespace sonoskin::ui

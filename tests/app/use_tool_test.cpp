@@ -1,0 +1,181 @@
+// The tools of the mouse without a window: which of them has it in which view, and what it leaves behind.
+#include "app/views/use_tool.h"
+
+#include "app/document/part_edits.h"
+#include "app/views/steering.h"
+#include "app/workspace/commands.h"
+#include "tests/app/session_support.h"
+#include "tests/support/imgui_test.h"
+
+namespace sonoskin::ui {
+namespace {
+
+constexpr std::array kKinds{PaneKind::slice, PaneKind::space};
+
+class UseTool : public ImGuiTest {
+ protected:
+  UseTool() : ImGuiTest({640, 420}), workspace(test::tinyPhantom()), view(workspace.view) {}
+
+  void SetUp() override {
+    ImGuiTest::SetUp();
+    workspace.session.openPhantom();
+    ASSERT_TRUE(test::wait(workspace.session));
+    resetView(view, workspace.session.scan(), workspace.session.beam());
+    input.size = {400, 400};
+    input.mouse = {200, 200};
+    input.hovered = true;
+  }
+  void reconstruct() {
+    workspace.session.reconstruct();
+    ASSERT_TRUE(test::wait(workspace.session));
+    ASSERT_TRUE(hasParts(workspace.session.results()));
+    workspace.session.followParameters(false);  // only the mouse is tested
+    view.content = SpaceContent::mesh;
+    workspace.lookAtFace();
+  }
+  ToolPane pane(PaneKind kind) const {
+    if (kind == PaneKind::space) return {input};
+    const Geometry& geometry = workspace.session.scan().volume->geometry;
+    return {input, ToolPane::Slice{Plane::axial, frameOf(view, Plane::axial, geometry, input)}};
+  }
+  // One frame of a view.
+  void frame(PaneKind kind) {
+    beginFrame();
+    useTool(state, workspace, pane(kind));
+    drawTool(state, workspace, pane(kind));
+    ImGui::End();
+    ImGui::Render();
+  }
+  // The left button goes down, the mouse moves to a place, and goes up again there.
+  void press(PaneKind kind) {
+    input.button = ImGuiMouseButton_Left;
+    input.pressed = true;
+    input.moved = {0, 0};
+    frame(kind);
+    input.pressed = false;
+  }
+  void moveTo(PaneKind kind, const glm::vec2& mouse) {
+    input.moved = mouse - input.mouse;
+    input.mouse = mouse;
+    frame(kind);
+  }
+  void release(PaneKind kind) {
+    input.button = -1;
+    input.moved = {0, 0};
+    frame(kind);
+  }
+
+  Workspace workspace;
+  ViewState& view;
+  PaneInput input;
+  ToolState state;
+};
+
+TEST_F(UseTool, WhatIsShownOrChosenHasTheButton) {
+  EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::cropBox);
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::crossHair);
+  view.cropBox = false;
+  EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::crossHair);
+  view.sliceTool = Tool::eraser;
+  EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::eraser);
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::crossHair);
+  EXPECT_TRUE(takesDoubleClicks(workspace, PaneKind::slice));
+  EXPECT_FALSE(takesDoubleClicks(workspace, PaneKind::space));
+
+  view.spaceTool = Tool::landmark;
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::crossHair) << "there is no skin yet";
+  reconstruct();
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::landmark);
+  EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::eraser) << "each kind of view has its own";
+  view.parts = true;
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::parts) << "skin is hidden";
+  EXPECT_TRUE(takesDoubleClicks(workspace, PaneKind::space));
+  view.parts = false;
+  view.spaceTool = Tool::crossHair;
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::lamp);
+  view.meshStyle = MeshStyle::clay;
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::crossHair);
+}
+
+// Whatever is chosen, and whatever was held: a view of either kind can be used, and no tool keeps a button that is up.
+TEST_F(UseTool, EveryToolInBothKindsOfViews) {
+  reconstruct();
+  for (const Tool tool : kTools)
+    for (const PaneKind kind : kKinds)
+      for (const bool parts : {false, true}) {
+        view.parts = parts;
+        view.sliceTool = view.spaceTool = tool;
+        state = {};
+        press(kind);
+        moveTo(kind, input.mouse + glm::vec2(3, 2));
+        EXPECT_EQ(view.toolHeld, state.held.has_value()) << int(tool);
+        release(kind);
+        EXPECT_FALSE(state.held || view.toolHeld) << int(tool);
+        state.held = tool;
+        view.toolHeld = true;
+        frame(kind);
+        EXPECT_FALSE(state.held || view.toolHeld) << int(tool);
+        ASSERT_TRUE(test::wait(workspace.session));
+      }
+}
+
+TEST_F(UseTool, TheEraserLeavesTheCrossHairAlone) {
+  const glm::dvec3 cursor = view.cursor;
+  const Camera camera = view.camera;
+  view.sliceTool = Tool::eraser;
+  press(PaneKind::slice);
+  EXPECT_TRUE(view.toolHeld);
+  const std::size_t dab = workspace.session.erased().voxels();
+  EXPECT_GT(dab, 0u);
+  moveTo(PaneKind::slice, {230, 200});
+  EXPECT_GT(workspace.session.erased().voxels(), dab);
+  EXPECT_FALSE(workspace.session.canUndo()) << "not before it is let go";
+  release(PaneKind::slice);
+  EXPECT_TRUE(workspace.session.canUndo());
+  EXPECT_EQ(view.cursor, cursor);
+
+  // In 3D the button is the camera's.
+  press(PaneKind::space);
+  moveTo(PaneKind::space, {260, 200});
+  release(PaneKind::space);
+  EXPECT_NE(view.camera.forward, camera.forward);
+  EXPECT_TRUE(view.cameraMoved);
+}
+
+TEST_F(UseTool, EscapeEndsAStroke) {
+  view.sliceTool = Tool::eraser;
+  press(PaneKind::slice);
+  command("surface.cancel").run(workspace);
+  ASSERT_EQ(view.sliceTool, Tool::crossHair);
+  const std::size_t voxels = workspace.session.erased().voxels();
+  moveTo(PaneKind::slice, {230, 200});
+  EXPECT_FALSE(state.held);
+  EXPECT_EQ(workspace.session.erased().voxels(), voxels);
+  release(PaneKind::slice);
+  EXPECT_TRUE(workspace.session.canUndo()) << "what was erased is a step";
+}
+
+// A line that was begun and given up splits nothing, at once or when parts are shown again.
+TEST_F(UseTool, EscapeGivesUpALineAcrossParts) {
+  reconstruct();
+  view.parts = true;
+  input.mouse = {120, 200};
+  input.control = true;
+  press(PaneKind::space);
+  moveTo(PaneKind::space, {280, 200});
+  EXPECT_EQ(state.held, Tool::parts);
+  command("surface.cancel").run(workspace);
+  ASSERT_FALSE(view.parts);
+  release(PaneKind::space);
+  view.parts = true;
+  frame(PaneKind::space);
+  EXPECT_TRUE(workspace.session.parameters().mesh.partsCut.empty());
+
+  press(PaneKind::space);
+  moveTo(PaneKind::space, {120, 200});
+  release(PaneKind::space);
+  EXPECT_FALSE(workspace.session.parameters().mesh.partsCut.empty()) << "the same line, drawn to its end";
+}
+
+}  // namespace
+}  // namespace sonoskin::ui
