@@ -17,33 +17,36 @@ struct ToolInPane {
 };
 
 // ToolRow: a tool in both kinds of views.
-//   isUsable      whether it has something to do now
+//   chosen        only where a person has chosen it for views of that kind
+//   isShown       whether what it works on is shown
 //   doubleClicks  see takesDoubleClicks
 struct ToolRow {
   Tool tool;
-  bool (*isUsable)(const Workspace&);
+  bool chosen;
+  bool (*isShown)(const Workspace&);
   ToolInPane inSlices, inSpace;
   bool doubleClicks = false;
 };
 
-bool placesLandmark(const Workspace& w) { return w.view.spaceTool == Tool::landmark && wantsSkin(w); }
-bool erases(const Workspace& w) { return w.view.sliceTool == Tool::eraser; }
 bool showsBox(const Workspace& w) { return w.view.cropBox; }
 bool always(const Workspace&) { return true; }
 PaneInput steerAlone(ToolState&, Workspace&, const ToolPane& pane) { return pane.input; }
 
-constexpr ToolInPane kNothing{}, kErase{useEraser, letGoEraser, drawEraser},
-    kParts{usePartTool, letGoPartTool, drawPartTool}, kLamp{useLampTool, letGoLampTool},
-    kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
+constexpr ToolInPane kNothing{}, kSteering{steerAlone}, kLandmark{useLandmarkTool},
+    kEraser{useEraser, letGoEraser, drawEraser}, kParts{usePartTool, letGoPartTool, drawPartTool},
+    kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
 
+// clang-format off
 constexpr std::array<ToolRow, kTools.size()> kRows{{
-    {Tool::landmark, placesLandmark, kNothing, {useLandmarkTool}},
-    {Tool::eraser, erases, kErase, kNothing, true},
-    {Tool::parts, showsParts, kNothing, kParts, true},
-    {Tool::lamp, wantsSkin, kNothing, kLamp},
-    {Tool::cropBox, showsBox, kBox, kNothing},
-    {Tool::crossHair, always, {steerAlone}, {steerAlone}},
+    //               chosen isShown     in slices  in 3D      doubleClicks
+    {Tool::landmark,  true, wantsSkin,  kNothing,  kLandmark},
+    {Tool::eraser,    true, always,     kEraser,   kNothing,  true},
+    {Tool::parts,    false, showsParts, kNothing,  kParts,    true},
+    {Tool::lamp,     false, wantsSkin,  kNothing,  kLamp},
+    {Tool::cropBox,  false, showsBox,   kBox,      kNothing},
+    {Tool::crossHair, false, always,    kSteering, kSteering},
 }};
+// clang-format on
 static_assert(std::ranges::equal(kRows, kTools, {}, &ToolRow::tool));
 
 const ToolRow& rowOf(Tool tool) { return *std::ranges::find(kRows, tool, &ToolRow::tool); }
@@ -54,9 +57,13 @@ const ToolInPane& inPane(const ToolRow& row, PaneKind kind) {
   return kind == PaneKind::slice ? row.inSlices : row.inSpace;
 }
 
+bool isUsable(const ToolRow& row, const Workspace& w, PaneKind kind) {
+  const Tool chosen = kind == PaneKind::slice ? w.view.sliceTool : w.view.spaceTool;
+  return inPane(row, kind).use && (!row.chosen || chosen == row.tool) && row.isShown(w);
+}
+
 const ToolRow& firstRow(const Workspace& w, PaneKind kind) {
-  return *std::ranges::find_if(kRows,
-                               [&](const ToolRow& row) { return inPane(row, kind).use && row.isUsable(w); });
+  return *std::ranges::find_if(kRows, [&](const ToolRow& row) { return isUsable(row, w, kind); });
 }
 
 const ToolInPane& toolNow(const ToolState& state, const Workspace& w, PaneKind kind) {
@@ -74,7 +81,7 @@ Tool toolIn(const Workspace& workspace, PaneKind kind) { return firstRow(workspa
 
 void useTool(ToolState& state, Workspace& workspace, const ToolPane& pane) {
   const bool held = state.held.has_value();
-  if (held && (!holdsLeft(pane.input) || !rowOf(*state.held).isUsable(workspace)))
+  if (held && (!holdsLeft(pane.input) || !isUsable(rowOf(*state.held), workspace, kindOf(pane))))
     letGo(state, workspace, pane);
   const PaneInput left = toolNow(state, workspace, kindOf(pane)).use(state, workspace, pane);
   if (held || state.held) workspace.view.toolHeld = state.held.has_value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace sonoskin {
 
@@ -19,6 +20,7 @@ enum class Tool { landmark, eraser, parts, lamp, cropBox, crossHair };
 // and in this order Escape puts them away.
 inline constexpr std::array kTools{Tool::landmark, Tool::eraser,  Tool::parts,
                                    Tool::lamp,     Tool::cropBox, Tool::crossHair};
+static_assert(kTools.size() == std::size_t(Tool::crossHair) + 1);
 
 // toggle: takes a tool for the views of one kind, ViewState::sliceTool or spaceTool, in another's place, or puts it
 // away.
