@@ -83,7 +83,7 @@ std::size_t voxelsOf(const Tile& tile) {
 // The iteration: which tiles still move, and the two buffers that take turns.
 class Iteration {
  public:
-  Iteration(const TangentialOperator& k, const ScaledSystem& system, LargeArray<float>& u,
+  Iteration(const NeighbourTerms& k, const ScaledSystem& system, LargeArray<float>& u,
             LargeArray<float>& scratch, const Progress& progress)
       : k_(k),
         system_(system),
@@ -180,7 +180,7 @@ class Iteration {
       }
   }
 
-  const TangentialOperator& k_;
+  const NeighbourTerms& k_;
   const ScaledSystem& system_;
   LargeArray<float>&u_, &scratch_;
   Progress progress_;
@@ -195,7 +195,7 @@ class Iteration {
 
 }  // namespace
 
-FastSolution solveFast(const TangentialOperator& k, const ScaledSystem& system, double tolerance,
+FastSolution solveFast(const NeighbourTerms& k, const ScaledSystem& system, double tolerance,
                        LargeArray<float>& u, LargeArray<float>& scratch, const Progress& progress) {
   Iteration iteration(k, system, u, scratch, progress.cancelOnly());
   FastSolution solution;

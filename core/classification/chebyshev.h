@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/classification/neighbour_terms.h"
 #include "core/classification/scaled_system.h"
-#include "core/classification/tangential_operator.h"
 
 namespace sonoskin {
 
@@ -18,7 +18,7 @@ struct FastSolution {
 
 // solveFast: A u = b by Chebyshev's iteration on D^-1 A, matrix-free, with coefficients in half precision.
 //   solves    u_{n+1} = u_n + omega_n (u_n - u_{n-1}) + s_n D^-1 (b - A u_n)   [Golub, Varga 1961]
-//             the eigenvalues of D^-1 A lie between those that ScaledSystem and TangentialOperator tell
+//             the eigenvalues of D^-1 A lie between those that ScaledSystem and NeighbourTerms tell
 //   stops     where |b - A u| / |b| is below the tolerance. A tile rests as soon as the same holds in it alone,
 //             none of its voxels would move by more than twice the tolerance, and no neighbour moves by eight times
 //             as much. 2e-3 is within 0.02 of the solution everywhere; for less than 5e-4 the coefficients' 11 bits
@@ -27,7 +27,7 @@ struct FastSolution {
 //   cost      21 bytes per voxel and sweep: u, the one before, coefficients, directions
 //   errors    Cancelled, within a sweep
 // The result does not depend on the number of threads.
-FastSolution solveFast(const TangentialOperator& k, const ScaledSystem& system, double tolerance,
+FastSolution solveFast(const NeighbourTerms& k, const ScaledSystem& system, double tolerance,
                        LargeArray<float>& u, LargeArray<float>& scratch, const Progress& progress = {});
 
 }  // namespace sonoskin

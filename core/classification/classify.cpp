@@ -2,32 +2,20 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/classification/data_term.h"
+#include "core/classification/neighbour_terms.h"
 #include "core/classification/pcg.h"
 #include "core/classification/thesis_system.h"
-#include "core/volume/gaussian.h"
 
 namespace sonoskin {
-
-Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& options, const Progress& progress) {
-  const glm::ivec3 dims = volume.geometry.dims;
-  require(glm::min(dims.x, glm::min(dims.y, dims.z)) >= 3,
-          "the volume has {}x{}x{} voxels: surfaces need at least 3 along each axis", dims.x, dims.y, dims.z);
-  Smoothed smoothed;
-  smoothed.lowPassed = gaussianBlur(volume, options.lowPass, progress.part(0, 0.7));
-  smoothed.directions = std::make_shared<const Directions>(
-      cellDirections(smoothed.lowPassed, options.directionScale, progress.part(0.7, 1)));
-  return smoothed;
-}
 
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
   if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
   DataTerm term = dataTerm(volume, smoothed.lowPassed, options, smoothed.levels, progress.part(0, 0.1));
-  const TangentialOperator tangential(smoothed.directions, absoluteBeta(options));
-  Solution solution = solvePcg(tangential, std::move(term), options.tolerance, progress.part(0.1, 1));
+  Solution solution =
+      solvePcg(neighbourTerms(smoothed, options), std::move(term), options.tolerance, progress.part(0.1, 1));
   Volume<float> result;
   result.geometry = volume.geometry;
   result.data = std::move(solution.u);

@@ -1,27 +1,11 @@
 #pragma once
 
-#include <memory>
-
 #include "core/base/progress.h"
 #include "core/classification/classification_options.h"
-#include "core/classification/iso_value.h"
-#include "core/classification/tangential_operator.h"
+#include "core/classification/smoothed.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
-
-// Smoothed: what classification needs of a volume and of the low-pass options alone; kept while sliders move.
-struct Smoothed {
-  Volume<float> lowPassed;
-  std::shared_ptr<const Directions> directions;
-  GreyLevels levels{};  // for options whose iso-value is automatic
-};
-
-// smooth: the low-passed volume and the directions of its gradients.
-//   volume   values in [0, 1], at least 3 voxels along each axis
-//   errors   Error: too few voxels; Cancelled
-Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& options,
-                const Progress& progress = {});
 
 // classify: the volume u that is near 1 on surfaces and near 0 elsewhere.
 //   solves   minimise 1/2 sum alpha a u^2 + beta |grad u x g|^2 + gamma h (u - uind)^2, that is

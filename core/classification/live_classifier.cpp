@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/classification/chebyshev.h"
-#include "core/classification/data_term.h"
+#include "core/classification/neighbour_terms.h"
 
 namespace sonoskin {
 
@@ -15,7 +15,7 @@ LiveClassifier::LiveClassifier(std::shared_ptr<const Volume<float>> volume,
 std::shared_ptr<const Volume<float>> LiveClassifier::classify(const ClassificationOptions& options,
                                                               const Progress& progress) {
   const auto before = std::exchange(last_, nullptr);  // of no use for a system that is half rebuilt
-  const TangentialOperator k(smoothed_->directions, absoluteBeta(options));
+  const NeighbourTerms k = neighbourTerms(*smoothed_, options);
   auto u = Volume<float>::unset(volume_->geometry);
   scaleSystem(*volume_, smoothed_->lowPassed, k, options, smoothed_->levels,
               before ? before->data.data() : nullptr, system_, u.data.data(), progress.part(0, 0.2));

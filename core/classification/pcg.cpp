@@ -28,7 +28,7 @@ class PartialSums {
 // The state of the iteration: r = b - A u, p the search direction, q = A p.
 class Iteration {
  public:
-  Iteration(const TangentialOperator& k, DataTerm term, const Progress& progress)
+  Iteration(const NeighbourTerms& k, DataTerm term, const Progress& progress)
       : k_(k),
         progress_(progress),
         dims_(k.geometry().dims),
@@ -183,7 +183,7 @@ class Iteration {
     rr.add(slice, double(sumR));
   }
 
-  const TangentialOperator& k_;
+  const NeighbourTerms& k_;
   Progress progress_;
   glm::ivec3 dims_;
   std::vector<Tile> tiles_;
@@ -194,7 +194,7 @@ class Iteration {
 
 }  // namespace
 
-Solution solvePcg(const TangentialOperator& k, DataTerm term, double tolerance, const Progress& progress) {
+Solution solvePcg(const NeighbourTerms& k, DataTerm term, double tolerance, const Progress& progress) {
   Iteration iteration(k, std::move(term), progress.cancelOnly());
   Solution solution;
   const double first = iteration.relativeResidual();

@@ -2,7 +2,7 @@
 
 #include "core/base/progress.h"
 #include "core/classification/data_term.h"
-#include "core/classification/tangential_operator.h"
+#include "core/classification/neighbour_terms.h"
 
 namespace sonoskin {
 
@@ -20,7 +20,6 @@ struct Solution {
 //            two volumes and the directions that the term was made from; consumes the term
 //   errors   Cancelled, within a sweep
 // The sums run per slice and then over slices in order: the result does not depend on the number of threads.
-Solution solvePcg(const TangentialOperator& k, DataTerm term, double tolerance,
-                  const Progress& progress = {});
+Solution solvePcg(const NeighbourTerms& k, DataTerm term, double tolerance, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -68,7 +68,7 @@ void addToTiles(const RowWork& work, float* coupling, float* squares) {
 
 }  // namespace
 
-void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const TangentialOperator& k,
+void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const NeighbourTerms& k,
                  const ClassificationOptions& options, const GreyLevels& levels, const float* before,
                  ScaledSystem& system, float* start, const Progress& progress) {
   const Geometry& g = raw.geometry;

@@ -7,7 +7,7 @@
 #include "core/classification/classification_options.h"
 #include "core/classification/half.h"
 #include "core/classification/iso_value.h"
-#include "core/classification/tangential_operator.h"
+#include "core/classification/neighbour_terms.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
@@ -35,7 +35,7 @@ inline constexpr float kLooseCoupling = 0.02f;
 //                   max(0, before + (b/c)_new - (b/c)_old) where K counts: a change of the iso-value moves the whole surface,
 //                   so that `before` itself would be farther away than b/c. May be `start` itself.
 //   errors          Cancelled; then `system` is of no use
-void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const TangentialOperator& k,
+void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const NeighbourTerms& k,
                  const ClassificationOptions& options, const GreyLevels& levels, const float* before,
                  ScaledSystem& system, float* start, const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -30,5 +31,8 @@ inline std::vector<Tile> tilesOf(const glm::ivec3& dims) {
       }
   return tiles;
 }
+
+// TileRow: called with (j, k, Ku) for each row of a tile's voxels; Ku has one value per voxel of the row.
+using TileRow = std::function<void(int j, int k, const float* ku)>;
 
 }  // namespace sonoskin

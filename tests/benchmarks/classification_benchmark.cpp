@@ -67,7 +67,7 @@ void directions(benchmark::State& state) {
 BENCHMARK(directions)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void tangentialOperator(benchmark::State& state) {
-  const TangentialOperator k(smoothedInput().directions, absoluteBeta(optionsForBenchmarks()));
+  const NeighbourTerms k = neighbourTerms(smoothedInput(), optionsForBenchmarks());
   const LargeArray<float>& u = phantomInput().volume->data;
   LargeArray<float> result(u.size());
   const std::vector<Tile> tiles = tilesOf(k.geometry().dims);
@@ -85,7 +85,7 @@ BENCHMARK(tangentialOperator)->Unit(benchmark::kMillisecond)->MeasureProcessCPUT
 void conjugateGradients(benchmark::State& state) {
   const ClassificationOptions options = optionsForBenchmarks();
   const DataTerm term = dataTerm(*phantomInput().volume, smoothedInput().lowPassed, options);
-  const TangentialOperator k(smoothedInput().directions, absoluteBeta(options));
+  const NeighbourTerms k = neighbourTerms(smoothedInput(), options);
   int iterations = 0;
   for (auto _ : state) iterations = solvePcg(k, term, 1e-3).iterations;
   state.counters["iterations"] = iterations;
@@ -126,7 +126,7 @@ BENCHMARK(reRun)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->MeasureProces
 // The sweeps alone, with no tile at rest: their traffic beside the triad's.
 void chebyshevSweeps(benchmark::State& state) {
   const ClassificationOptions options = optionsForBenchmarks();
-  const TangentialOperator k(smoothedInput().directions, absoluteBeta(options));
+  const NeighbourTerms k = neighbourTerms(smoothedInput(), options);
   ScaledSystem system;
   LargeArray<float> u(phantomInput().volume->data.size()), scratch(u.size());
   double voxels = 0;

@@ -8,7 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/classification/data_term.h"
 #include "core/classification/pcg.h"
-#include "tests/support/tangential.h"
+#include "tests/support/applied.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -18,8 +18,7 @@ namespace {
 struct System {
   Geometry geometry = test::grid({200, 40, 30}, {0.3, 0.3, 0.9});
   Volume<float> volume = test::speckledSphere(geometry, {20, 6, 13}, 4, 0.3);
-  std::shared_ptr<const Directions> directions =
-      std::make_shared<const Directions>(cellDirections(volume, 0.02));
+  Smoothed smoothed{volume, std::make_shared<const Directions>(cellDirections(volume, 0.02)), {}};
   ClassificationOptions options;
   ScaledSystem scaled;
   LargeArray<float> start = LargeArray<float>(geometry.voxels());
@@ -29,7 +28,7 @@ struct System {
     options.tangentialLength = tangentialLength;
     scaleSystem(volume, volume, k(), options, {}, nullptr, scaled, start.data());
   }
-  TangentialOperator k() const { return {directions, absoluteBeta(options)}; }
+  NeighbourTerms k() const { return neighbourTerms(smoothed, options); }
   LargeArray<float> solve(double tolerance, FastSolution* solution = nullptr) const {
     LargeArray<float> u = start, scratch(u.size());
     const FastSolution found = solveFast(k(), scaled, tolerance, u, scratch);
@@ -89,7 +88,7 @@ TEST(Chebyshev, LeavesOutWhatDoesNotMove) {
   System s;
   for (int k = 0; k < s.geometry.dims.z; ++k)
     for (int j = 15; j < s.geometry.dims.y; ++j) std::fill_n(&s.volume.at(0, j, k), s.geometry.dims.x, 0.0f);
-  s.directions = std::make_shared<const Directions>(cellDirections(s.volume, 0.02));
+  s.smoothed.directions = std::make_shared<const Directions>(cellDirections(s.volume, 0.02));
   scaleSystem(s.volume, s.volume, s.k(), s.options, {}, nullptr, s.scaled, s.start.data());
   FastSolution solution;
   s.solve(1e-3, &solution);

@@ -10,7 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/classification/data_term.h"
 #include "core/classification/pcg.h"
-#include "tests/support/tangential.h"
+#include "tests/support/applied.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -25,7 +25,7 @@ ClassificationOptions optionsForTests() {
 }
 
 // diag(c) + K with its columns probed one by one.
-Eigen::SparseMatrix<double> assembled(const TangentialOperator& k, const DataTerm& term) {
+Eigen::SparseMatrix<double> assembled(const NeighbourTerms& k, const DataTerm& term) {
   const std::size_t n = k.geometry().voxels();
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<float> unit(n, 0.0f);
@@ -49,7 +49,7 @@ TEST(Classify, EqualsADirectSolve) {
   const auto options = optionsForTests();
   const Smoothed smoothed = smooth(volume, options);
   const DataTerm term = dataTerm(volume, smoothed.lowPassed, options);
-  const TangentialOperator k(smoothed.directions, absoluteBeta(options));
+  const NeighbourTerms k = neighbourTerms(smoothed, options);
   const Solution solution = solvePcg(k, term, 1e-6);
 
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> direct(assembled(k, term));
@@ -106,7 +106,7 @@ TEST(Classify, OvershootsByLessThanTwoPercentBeforeTheClamp) {
   const auto volume = test::speckledSphere(test::grid({40, 40, 24}, {0.3, 0.3, 0.9}), {6, 6, 11}, 4, 0.5);
   const auto options = optionsForTests();
   const Smoothed smoothed = smooth(volume, options);
-  const TangentialOperator k(smoothed.directions, absoluteBeta(options));
+  const NeighbourTerms k = neighbourTerms(smoothed, options);
   const Solution solution = solvePcg(k, dataTerm(volume, smoothed.lowPassed, options), 1e-6);
   const auto [least, most] = std::minmax_element(solution.u.begin(), solution.u.end());
   EXPECT_GT(*least, -0.02 * options.target);

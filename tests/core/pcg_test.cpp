@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/tangential.h"
+#include "tests/support/applied.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -13,7 +13,7 @@ namespace {
 struct System {
   Geometry geometry = test::grid({20, 20, 20});
   Volume<float> volume = test::speckledSphere(geometry, {9, 10, 11}, 6, 0.4);
-  TangentialOperator k{std::make_shared<const Directions>(cellDirections(volume, 0.02)), 6};
+  NeighbourTerms k{TangentialOperator(std::make_shared<const Directions>(cellDirections(volume, 0.02)), 6)};
   DataTerm term;
   System() {
     ClassificationOptions o;

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "tests/support/tangential.h"
+#include "tests/support/applied.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -94,7 +95,8 @@ TEST_F(TangentialOperatorTest, DiagonalIsWhatAProbeFinds) {
        {glm::ivec3(0, 0, 0), glm::ivec3(16, 13, 10), glm::ivec3(7, 6, 5), glm::ivec3(8, 0, 4)}) {
     std::vector<float> unit(geometry.voxels(), 0.0f);
     unit[geometry.index(p.x, p.y, p.z)] = 1;
-    k.diagonalRow(p.y, p.z, row.data());
+    std::fill(row.begin(), row.end(), 0.0f);
+    k.addDiagonalRow(p.y, p.z, row.data());
     EXPECT_NEAR(row[std::size_t(p.x)], applied(k, unit)[geometry.index(p.x, p.y, p.z)], 5e-6);
   }
 }
