@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/base/error.h"
+#include "core/base/perpendicular.h"
 
 namespace sonoskin {
 namespace {
@@ -124,8 +125,7 @@ glm::vec3 rightOf(const glm::vec3& forward, const glm::vec3& up) {
   const glm::vec3 across = glm::cross(forward, up);
   const float length = glm::length(across);
   if (length > kParallel * glm::length(up) && std::isfinite(length)) return across / length;
-  const glm::vec3 other = std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
-  return glm::normalize(glm::cross(forward, other));
+  return perpendicularTo(forward, {1, 2});
 }
 
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect) {

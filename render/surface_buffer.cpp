@@ -1,14 +1,14 @@
 #include "render/surface_buffer.h"
 
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "core/base/perpendicular.h"
 
 namespace sonoskin {
 
 LightView::LightView(const glm::vec3& light, const Box& box)
     : centre(box.centre()), toLight(light), radius(0.51f * box.diagonal()) {
-  const glm::vec3 other = std::abs(light.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
-  right = glm::normalize(glm::cross(other, toLight));
+  right = -perpendicularTo(light, {2, 0});
   up = glm::cross(toLight, right);
 }
 

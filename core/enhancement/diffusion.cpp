@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSamples = 230'000;  // about so many voxels tell the typical gradient, evenly spread
 constexpr float kOfLongestStep = 0.9f;
-constexpr int kSlab = 8;  // slices that one task computes
+constexpr std::size_t kSlab = 8;  // slices that one task computes
 
 // The median gradient, per smallest spacing, of inner voxels that are not 0 (outside a sector all are).
 float typicalGradient(const Volume<float>& volume) {
@@ -130,12 +130,11 @@ class Step {
 Volume<float> diffuse(const Volume<float>& volume, const EnhancementOptions& options,
                       const Progress& progress) {
   Volume<float> now = volume, next = Volume<float>::unset(volume.geometry);
-  const int depth = volume.geometry.dims.z, slabs = (depth + kSlab - 1) / kSlab;
   for (int n = 0; n < options.iterations; ++n) {
     const Step step(now, float(options.conductance) * typicalGradient(now), next);
-    parallelFor(
-        slabs,
-        [&](std::ptrdiff_t slab) { step.run(int(slab) * kSlab, std::min(depth, (int(slab) + 1) * kSlab)); },
+    parallelBlocks(
+        std::size_t(volume.geometry.dims.z), kSlab,
+        [&](std::size_t first, std::size_t end) { step.run(int(first), int(end)); },
         progress.part(double(n) / options.iterations, double(n + 1) / options.iterations));
     std::swap(now, next);
   }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
+#include "core/base/perpendicular.h"
 #include "core/face/face_score.h"
 
 namespace sonoskin {
@@ -62,8 +63,7 @@ std::vector<Start> findStarts(const FaceSpace& space, const vec3& toProbe, float
 }
 
 FacePlacement placedAt(const Start& start, const glm::quat& bend, float roll, float scale) {
-  const vec3 aside = std::abs(start.normal.x) < 0.7f ? vec3(1, 0, 0) : vec3(0, 1, 0);
-  const vec3 left = glm::normalize(glm::cross(aside, start.normal));
+  const vec3 left = -perpendicularTo(start.normal, {0, 1, 0.7});
   FacePlacement face;
   const glm::mat3 upright(left, glm::cross(start.normal, left), start.normal);
   face.turn = upright * glm::mat3_cast(glm::angleAxis(roll, vec3(0, 0, 1)) * bend);

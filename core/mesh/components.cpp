@@ -4,29 +4,13 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/mesh/closest_point.h"
 #include "core/mesh/view_shares.h"
 
 namespace sonoskin {
 namespace {
-
-// Vertices as disjoint sets; the smallest vertex of a set stands for it.
-class VertexSets {
- public:
-  explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 double triangleArea(const Mesh& mesh, const Triangle& t) {
   const glm::dvec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
@@ -42,7 +26,7 @@ struct Ranking {
 };
 
 Ranking rankPieces(const Mesh& mesh) {
-  VertexSets sets(mesh.positions.size());
+  DisjointSets sets(mesh.positions.size());
   for (const Triangle& t : mesh.triangles) {
     sets.join(t[0], t[1]);
     sets.join(t[0], t[2]);
@@ -50,7 +34,7 @@ Ranking rankPieces(const Mesh& mesh) {
   std::vector<std::uint32_t> pieceOfRoot(mesh.positions.size(), kNone);
   std::vector<double> area;
   for (const Triangle& t : mesh.triangles) {
-    std::uint32_t& piece = pieceOfRoot[sets.find(t[0])];
+    std::uint32_t& piece = pieceOfRoot[sets.root(t[0])];
     if (piece == kNone) {
       piece = std::uint32_t(area.size());
       area.push_back(0);
@@ -65,7 +49,7 @@ Ranking rankPieces(const Mesh& mesh) {
 
   Ranking result{std::vector<std::uint32_t>(mesh.positions.size(), kNone), area.size()};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
-    if (const std::uint32_t piece = pieceOfRoot[sets.find(v)]; piece != kNone)
+    if (const std::uint32_t piece = pieceOfRoot[sets.root(v)]; piece != kNone)
       result.ofVertex[v] = rank[piece];
   return result;
 }

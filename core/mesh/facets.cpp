@@ -8,15 +8,13 @@ Facets::Facets(const Mesh& surface, const Progress& progress)
     : mesh(surface), normal(surface.triangles.size()), centre(surface.triangles.size()) {
   progress.update(0);
   opposite = oppositeHalfEdges(mesh.triangles, mesh.positions.size());
-  parallelBlocks(
-      size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          const auto& [i, j, k] = mesh.triangles[t];
-          const glm::vec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
-          normal[t] = 0.5f * glm::cross(b - a, c - a);
-          centre[t] = (a + b + c) / 3.f;
-        }
+  parallelItems(
+      size(), kFacetsPerTask,
+      [&](std::size_t t) {
+        const auto& [i, j, k] = mesh.triangles[t];
+        const glm::vec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
+        normal[t] = 0.5f * glm::cross(b - a, c - a);
+        centre[t] = (a + b + c) / 3.f;
       },
       progress);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/half_edges.h"
 
 namespace sonoskin {
@@ -22,18 +22,8 @@ struct Facets {
   double area() const;
 };
 
-// parallelBlocks: calls body(begin, end) for blocks of [0, count), on all threads.
-template <class Body>
-void parallelBlocks(std::size_t count, const Body& body, const Progress& progress = {}) {
-  constexpr std::size_t kBlock = 1 << 14;
-  parallelFor(
-      std::ptrdiff_t((count + kBlock - 1) / kBlock),
-      [&](std::ptrdiff_t i) {
-        const std::size_t begin = std::size_t(i) * kBlock;
-        body(begin, std::min(begin + kBlock, count));
-      },
-      progress);
-}
+// As many triangles or vertices as a thread takes at a time where there is little to do for each.
+inline constexpr std::size_t kFacetsPerTask = 1 << 14;
 
 // Groups: items 0, 1, ... listed by the group that each belongs to, in their order.
 struct Groups {

@@ -24,15 +24,13 @@ float edgeCurvature(const Facets& facets, std::uint32_t h) {
 std::vector<glm::vec4> sumOverPatches(const Facets& facets, const SurfacePatches& patches,
                                       const Progress& progress) {
   std::vector<glm::vec2> ofTriangle(facets.size());  // curvature, area
-  parallelBlocks(
-      facets.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          const auto h = std::uint32_t(3 * t);
-          const float sum =
-              edgeCurvature(facets, h) + edgeCurvature(facets, h + 1) + edgeCurvature(facets, h + 2);
-          ofTriangle[t] = {sum, facets.area(t)};
-        }
+  parallelItems(
+      facets.size(), kFacetsPerTask,
+      [&](std::size_t t) {
+        const auto h = std::uint32_t(3 * t);
+        const float sum =
+            edgeCurvature(facets, h) + edgeCurvature(facets, h + 1) + edgeCurvature(facets, h + 2);
+        ofTriangle[t] = {sum, facets.area(t)};
       },
       progress);
   std::vector<glm::vec4> sums(patches.size(), glm::vec4(0));
@@ -53,11 +51,10 @@ std::vector<float> meanCurvature(const Mesh& mesh, double radius, const Progress
   for (std::size_t t = mesh.triangles.size(); t-- > 0;)
     for (const std::uint32_t v : mesh.triangles[t]) home[v] = patches.ofTriangle[t];
   std::vector<float> curvature(mesh.positions.size(), 0);
-  parallelBlocks(
-      curvature.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-          if (home[v] != kNoHalfEdge) curvature[v] = atPoint(patches, values, home[v], mesh.positions[v]).x;
+  parallelItems(
+      curvature.size(), kFacetsPerTask,
+      [&](std::size_t v) {
+        if (home[v] != kNoHalfEdge) curvature[v] = atPoint(patches, values, home[v], mesh.positions[v]).x;
       },
       progress.part(0.9, 1));
   return curvature;

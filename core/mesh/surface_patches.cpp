@@ -8,6 +8,7 @@ namespace sonoskin {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::size_t kPatchesPerTask = 256;
 
 // Gives all triangles around `seed` that are free, connected with it and near it to patch `number`.
 void growPatch(const Facets& facets, std::uint32_t seed, std::uint32_t number, float radius,
@@ -106,21 +107,17 @@ SurfacePatches growPatches(const Facets& facets, float radius, const Progress& p
 
 std::vector<glm::vec4> smoothOverPatches(const SurfacePatches& patches, const std::vector<glm::vec4>& sums,
                                          float sigma, const Progress& progress) {
-  constexpr std::size_t kBlock = 256;
   const float falloff = -0.5f / (sigma * sigma), reach = 2.5f * sigma;
   std::vector<glm::vec4> smooth(patches.size());
-  parallelFor(
-      std::ptrdiff_t((patches.size() + kBlock - 1) / kBlock),
-      [&](std::ptrdiff_t block) {
+  parallelItems(
+      patches.size(), kPatchesPerTask,
+      [&](std::size_t p) {
         thread_local Reach around;
-        const std::size_t begin = std::size_t(block) * kBlock, end = std::min(begin + kBlock, patches.size());
-        for (std::size_t p = begin; p < end; ++p) {
-          around.search(patches, std::uint32_t(p), reach);
-          glm::vec4 sum(0);
-          for (std::size_t i = 0; i < around.found.size(); ++i)
-            sum += std::exp(falloff * around.squared[i]) * sums[around.found[i]];
-          smooth[p] = sum;
-        }
+        around.search(patches, std::uint32_t(p), reach);
+        glm::vec4 sum(0);
+        for (std::size_t i = 0; i < around.found.size(); ++i)
+          sum += std::exp(falloff * around.squared[i]) * sums[around.found[i]];
+        smooth[p] = sum;
       },
       progress);
   return smooth;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/perpendicular.h"
+
 namespace sonoskin {
 namespace {
 
@@ -19,8 +21,7 @@ class BeamFrame {
  public:
   BeamFrame(const Beam& beam, const glm::dvec3& middle)
       : apex_(beam.apex), origin_(beam.apex.value_or(middle)), forward_(beam.directionAt(middle)) {
-    const glm::dvec3 helper = std::abs(forward_.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    right_ = glm::normalize(glm::cross(forward_, helper));
+    right_ = perpendicularTo(forward_, {0, 1});
     up_ = glm::cross(right_, forward_);
   }
   BeamPlace place(const glm::vec3& world) const {

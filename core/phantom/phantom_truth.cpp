@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/iso/marching_cubes.h"
 #include "core/phantom/acoustics.h"
 #include "core/phantom/phantom.h"
@@ -14,7 +14,7 @@ constexpr float kFacing = 0.25f;  // least cosine between the normal and the way
 constexpr float kShadow = 8;      // dB of loss, there and back, from which skin lies in a shadow
 constexpr float kBorder = 1;      // mm within the sector and the field of view
 constexpr float kClear = 0.8f;    // mm of fluid before skin that can be told from what lies on it
-constexpr std::ptrdiff_t kBatch = 4096;
+constexpr std::size_t kVerticesPerTask = 4096;
 
 // boxDistance: to the border of the field of view, negative inside.
 double boxDistance(const glm::dvec3& p) {
@@ -103,13 +103,9 @@ Mesh makePhantomTruth(const PhantomOptions& options, const Progress& progress) {
   mesh.labels.resize(mesh.positions.size());
   const SectorGrid sector = sceneSector(options);
   const Truth truth(sector, model, {skin, wall, strands ? &*strands : nullptr});
-  const auto count = std::ptrdiff_t(mesh.positions.size());
-  parallelFor((count + kBatch - 1) / kBatch,
-              [&](std::ptrdiff_t batch) {
-                const std::ptrdiff_t end = std::min(count, (batch + 1) * kBatch);
-                for (std::ptrdiff_t v = batch * kBatch; v < end; ++v) truth.finish(mesh, std::size_t(v));
-              },
-              progress.part(0.7, 1));
+  parallelItems(
+      mesh.positions.size(), kVerticesPerTask, [&](std::size_t v) { truth.finish(mesh, v); },
+      progress.part(0.7, 1));
   return mesh;
 }
 

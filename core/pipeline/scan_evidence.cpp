@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/volume/sample.h"
 
@@ -131,11 +131,10 @@ double shareClear(const EvidenceInput& in) {
 // Pieces: cells that hold points, joined where they touch, also at a corner.
 class Pieces {
  public:
-  explicit Pieces(std::vector<std::array<int, 3>> cells) : ofPoint_(std::move(cells)), cells_(ofPoint_) {
+  explicit Pieces(std::vector<std::array<int, 3>> cells)
+      : ofPoint_(std::move(cells)), cells_(ofPoint_), sets_(cells_.size()) {
     std::ranges::sort(cells_);
     cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
-    root_.resize(cells_.size());
-    std::iota(root_.begin(), root_.end(), std::size_t(0));
     for (std::size_t c = 0; c < cells_.size(); ++c) joinNeighbours(c);
   }
 
@@ -145,27 +144,24 @@ class Pieces {
     std::size_t most = 0;
     for (const auto& cell : ofPoint_) {
       const auto at = std::ranges::lower_bound(cells_, cell);
-      most = std::max(most, ++points[rootOf(std::size_t(at - cells_.begin()))]);
+      most = std::max(most, ++points[sets_.root(std::uint32_t(at - cells_.begin()))]);
     }
     return double(most) / double(ofPoint_.size());
   }
 
  private:
-  std::size_t rootOf(std::size_t c) {
-    while (root_[c] != c) c = root_[c] = root_[root_[c]];
-    return c;
-  }
   void joinNeighbours(std::size_t c) {
     const std::array<int, 3> cell = cells_[c];
     for (int n = 14; n < 27; ++n) {  // each pair once
       const std::array<int, 3> other{cell[0] + n / 9 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n % 3 - 1};
       const auto at = std::ranges::lower_bound(cells_, other);
-      if (at != cells_.end() && *at == other) root_[rootOf(c)] = rootOf(std::size_t(at - cells_.begin()));
+      if (at != cells_.end() && *at == other)
+        sets_.join(std::uint32_t(c), std::uint32_t(at - cells_.begin()));
     }
   }
 
   std::vector<std::array<int, 3>> ofPoint_, cells_;
-  std::vector<std::size_t> root_;
+  DisjointSets sets_;
 };
 
 double shareOfLargest(const SurfacePoints& points, double cell) {

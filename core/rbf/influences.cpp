@@ -3,14 +3,14 @@
 #include <limits>
 #include <span>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/rbf/lane_packer.h"
 #include "core/rbf/sorted_points.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr std::ptrdiff_t kPointsPerTask = 1024;
+constexpr std::size_t kPointsPerTask = 1024;
 constexpr float kSmallestInfluence = 1e-4f;
 constexpr double kFirstRadius = 2.2;  // spacings
 
@@ -89,20 +89,19 @@ float sumOfNearest(const SortedPoints& points, std::size_t self, Distances& dist
 
 std::vector<float> influences(const SortedPoints& points, const std::vector<float>& confidence,
                               int neighbours, const Progress& progress) {
-  const auto count = std::ptrdiff_t(points.size());
-  const auto k = std::size_t(std::min<std::ptrdiff_t>(neighbours, count - 1));
+  const auto k = std::size_t(std::min<std::ptrdiff_t>(neighbours, std::ptrdiff_t(points.size()) - 1));
   const auto scale = float(1 / (points.spacing * points.spacing));
   std::vector<float> result(points.size());
-  parallelFor((count + kPointsPerTask - 1) / kPointsPerTask,
-              [&](std::ptrdiff_t task) {
-                SmallestValues nearest(k);
-                Distances distances;
-                const auto last = std::size_t(std::min(count, (task + 1) * kPointsPerTask));
-                for (auto i = std::size_t(task * kPointsPerTask); i < last; ++i)
-                  result[i] = confidence[i] * std::max(kSmallestInfluence,
-                                                       sumOfNearest(points, i, distances, nearest) * scale);
-              },
-              progress);
+  parallelBlocks(
+      points.size(), kPointsPerTask,
+      [&](std::size_t first, std::size_t end) {
+        SmallestValues nearest(k);
+        Distances distances;
+        for (std::size_t i = first; i < end; ++i)
+          result[i] = confidence[i] *
+                      std::max(kSmallestInfluence, sumOfNearest(points, i, distances, nearest) * scale);
+      },
+      progress);
   return result;
 }
 

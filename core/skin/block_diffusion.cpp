@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/closest_point.h"
 #include "core/skin/atlas_reading.h"
 #include "core/skin/chart_sides.h"
@@ -17,20 +17,11 @@ namespace {
 
 constexpr int kLevels = PointDiffusion::kLevels;
 constexpr std::size_t kFewPlaces = 20'000;  // are asked at any cost
-constexpr std::ptrdiff_t kPerTask = 16384;  // texels or samples of a task
+constexpr std::size_t kPerTask = 16384;     // texels or samples
 
 glm::vec4 colourOf(const glm::vec4& premultiplied) {
   return premultiplied.a > 0 ? glm::vec4(glm::vec3(premultiplied) / premultiplied.a, 1)
                              : glm::vec4(0, 0, 0, 1);
-}
-
-// Calls f(i) for i in [0, count) on all threads.
-template <class F>
-void forEach(std::size_t count, F&& f) {
-  const auto all = std::ptrdiff_t(count);
-  parallelFor((all + kPerTask - 1) / kPerTask, [&](std::ptrdiff_t task) {
-    for (std::ptrdiff_t i = task * kPerTask; i < std::min(all, (task + 1) * kPerTask); ++i) f(std::size_t(i));
-  });
 }
 
 }  // namespace
@@ -99,7 +90,7 @@ AreaPoints BlockDiffusion::State::sample(const Progress& progress) {
 
 std::vector<glm::vec4> BlockDiffusion::State::lightOfSamples(const std::vector<glm::vec4>& irradiance) const {
   std::vector<glm::vec4> light(sampled.size());
-  forEach(sampled.size(), [&](std::size_t i) {
+  parallelItems(sampled.size(), kPerTask, [&](std::size_t i) {
     light[i] = glm::vec4(readAtlas(irradiance, surface->maps.size, sampled[i]), 1);
   });
   return light;
@@ -111,7 +102,7 @@ std::vector<glm::vec4> BlockDiffusion::State::diffuse(int level, const std::vect
   const std::vector<glm::vec4>& position = surface->maps.position;
   std::vector<glm::vec4> map(irradiance.size());
   if (!places[std::size_t(level - 1)]) {
-    forEach(map.size(), [&](std::size_t texel) {
+    parallelItems(map.size(), kPerTask, [&](std::size_t texel) {
       map[texel] = position[texel].w > 0 ? colourOf(irradiance[texel]) : glm::vec4(0);
     });
     return map;
@@ -119,7 +110,7 @@ std::vector<glm::vec4> BlockDiffusion::State::diffuse(int level, const std::vect
   const TriangleLattice& lattice = *places[std::size_t(level - 1)];
   const std::vector<glm::vec4> atPlaces = diffusion->lightAt(
       level, diffusion->gather(level, light), lattice.positions(), lattice.normals(), progress);
-  forEach(map.size(), [&](std::size_t texel) {
+  parallelItems(map.size(), kPerTask, [&](std::size_t texel) {
     map[texel] = position[texel].w > 0 ? valueAt(texel, lattice, atPlaces) : glm::vec4(0);
   });
   fitSides(lattice, atPlaces, map);

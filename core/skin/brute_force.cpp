@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/search/point_grid.h"
 
 namespace sonoskin {
@@ -104,15 +104,9 @@ std::vector<DiffusedLevels> bruteForceDiffusion(const SurfaceSamples& samples,
   const float radius = std::sqrt(kernel.squaredReach[kCount - 1]);
   const Cloud cloud = sortSamples(samples, irradiance, std::max(0.15f * radius, 0.1f));
   std::vector<DiffusedLevels> result(targets.size());
-  const std::size_t tasks = (targets.size() + kTargetsPerTask - 1) / kTargetsPerTask;
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t begin = std::size_t(task) * kTargetsPerTask;
-        for (std::size_t t = begin; t < std::min(begin + kTargetsPerTask, targets.size()); ++t)
-          result[t] = integrate(targets[t], cloud, kernel, reach);
-      },
-      progress);
+  parallelItems(
+      targets.size(), kTargetsPerTask,
+      [&](std::size_t t) { result[t] = integrate(targets[t], cloud, kernel, reach); }, progress);
   return result;
 }
 

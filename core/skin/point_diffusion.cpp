@@ -5,7 +5,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
+#include "core/base/perpendicular.h"
 #include "core/skin/diffusion_target.h"
 
 namespace sonoskin {
@@ -55,7 +56,7 @@ std::size_t nearestPoint(const PointGrid& grid, const AreaPoints& points, const 
 class PlaneFit {
  public:
   PlaneFit(const glm::vec3& x, const glm::vec3& n, float reach) : x_(x), inverseReach_(1 / reach) {
-    side_ = glm::normalize(glm::cross(n, std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
+    side_ = perpendicularTo(n, {0, 1, 0.7});
     up_ = glm::cross(n, side_);
   }
   void add(float weight, const glm::vec3& position, const glm::vec4& light) {
@@ -196,14 +197,8 @@ std::vector<glm::vec4> PointDiffusion::lightAt(int number, std::span<const glm::
     return gathered[nearestPoint(level.grid, points, x, level.reach)];
   };
   std::vector<glm::vec4> light(positions.size());
-  const std::size_t tasks = (positions.size() + kPlacesPerTask - 1) / kPlacesPerTask;
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t begin = std::size_t(task) * kPlacesPerTask;
-        for (std::size_t p = begin; p < std::min(begin + kPlacesPerTask, positions.size()); ++p)
-          light[p] = lightOf(positions[p], normals[p]);
-      },
+  parallelItems(
+      positions.size(), kPlacesPerTask, [&](std::size_t p) { light[p] = lightOf(positions[p], normals[p]); },
       progress);
   return light;
 }

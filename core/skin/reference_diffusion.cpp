@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/skin/atlas_reading.h"
 #include "core/skin/brute_force.h"
 #include "core/skin/hierarchical_integral.h"
@@ -82,19 +82,14 @@ std::vector<glm::vec4> integrate(const SkinSurface& surface, const SplitProfile&
   const HierarchicalIntegral tree = treeOf(surface, irradiance, profile.spacing, progress.part(0, 0.03));
   const std::vector<std::uint32_t> shown = shownTexels(maps);
   std::vector<glm::vec4> result(irradiance.size(), glm::vec4(0));
-  const std::size_t tasks = (shown.size() + kTexelsPerTask - 1) / kTexelsPerTask;
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t begin = std::size_t(task) * kTexelsPerTask;
-        for (std::size_t i = begin; i < std::min(begin + kTexelsPerTask, shown.size()); ++i) {
-          const std::uint32_t t = shown[i];
-          const glm::vec3 own =
-              irradiance[t].a > 0 ? glm::vec3(irradiance[t]) / irradiance[t].a : glm::vec3(0);
-          const glm::vec3 wide =
-              tree.at(glm::vec3(maps.position[t]), glm::vec3(maps.normal[t]), profile.wide, {});
-          result[t] = glm::vec4(glm::vec3(profile.narrow) * own + wide, 1);
-        }
+  parallelItems(
+      shown.size(), kTexelsPerTask,
+      [&](std::size_t i) {
+        const std::uint32_t t = shown[i];
+        const glm::vec3 own = irradiance[t].a > 0 ? glm::vec3(irradiance[t]) / irradiance[t].a : glm::vec3(0);
+        const glm::vec3 wide =
+            tree.at(glm::vec3(maps.position[t]), glm::vec3(maps.normal[t]), profile.wide, {});
+        result[t] = glm::vec4(glm::vec3(profile.narrow) * own + wide, 1);
       },
       progress.part(0.05, 1));
   return result;

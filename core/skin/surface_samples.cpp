@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -119,14 +119,11 @@ SurfaceSamples sampleSurface(const Mesh& mesh, double spacing, const Progress& p
   SurfaceSamples samples;
   samples.spacing = float(spacing);
   resize(samples, std::size_t(first.back()));
-  const std::size_t tasks = (mesh.triangles.size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t begin = std::size_t(task) * kTrianglesPerTask;
-        for (std::size_t t = begin; t < std::min(begin + kTrianglesPerTask, mesh.triangles.size()); ++t)
-          fill(samples, std::size_t(first[t]), mesh, std::uint32_t(t),
-               subdivide(mesh, mesh.triangles[t], spacing));
+  parallelItems(
+      mesh.triangles.size(), kTrianglesPerTask,
+      [&](std::size_t t) {
+        fill(samples, std::size_t(first[t]), mesh, std::uint32_t(t),
+             subdivide(mesh, mesh.triangles[t], spacing));
       },
       progress);
   return samples;

@@ -4,37 +4,20 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
+
 namespace sonoskin {
 namespace {
 
 constexpr int kInnerNeighbours = 8;  // a flat sheet's voxel has 8
 constexpr double kLobeShare = 0.25;
 
-// Union by the smaller index, so that a root is the first voxel of its piece.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int a) {
-    while (parent_[std::size_t(a)] != a) {
-      parent_[std::size_t(a)] = parent_[std::size_t(parent_[std::size_t(a)])];
-      a = parent_[std::size_t(a)];
-    }
-    return a;
-  }
-  void join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::size_t(std::max(a, b))] = std::min(a, b);
-  }
-  std::vector<int> roots() {
-    std::vector<int> roots(parent_.size());
-    for (std::size_t v = 0; v < roots.size(); ++v) roots[v] = root(int(v));
-    return roots;
-  }
-
- private:
-  std::vector<int> parent_;
-};
+// Of every voxel the first one of its piece.
+std::vector<int> rootsOf(DisjointSets& sets, std::size_t count) {
+  std::vector<int> roots(count);
+  for (std::size_t v = 0; v < count; ++v) roots[v] = int(sets.root(std::uint32_t(v)));
+  return roots;
+}
 
 // Where each row (j, k) of the volume begins in the list of voxels.
 std::vector<int> rowStarts(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims) {
@@ -119,8 +102,8 @@ std::vector<int> mainLobes(const std::vector<int>& pieces, const std::vector<int
 
 std::vector<int> labelClusters(const std::vector<SurfaceVoxel>& voxels, const glm::ivec3& dims) {
   DisjointSets sets(voxels.size());
-  forEachTouch(voxels, dims, [&](int a, int b) { sets.join(a, b); });
-  return sets.roots();
+  forEachTouch(voxels, dims, [&](int a, int b) { sets.join(std::uint32_t(a), std::uint32_t(b)); });
+  return rootsOf(sets, voxels.size());
 }
 
 std::vector<SurfaceVoxel> dropWeakClusters(const std::vector<SurfaceVoxel>& voxels, const Geometry& geometry,
@@ -153,11 +136,11 @@ std::vector<int> labelLobes(const std::vector<SurfaceVoxel>& voxels, const glm::
     if (at == outer || inner < at) at = inner;
   };
   forEachTouch(voxels, dims, [&](int a, int b) {
-    if (isInner(a) && isInner(b)) sets.join(a, b);
+    if (isInner(a) && isInner(b)) sets.join(std::uint32_t(a), std::uint32_t(b));
     if (isInner(a) && !isInner(b)) attach(b, a);
     if (!isInner(a) && isInner(b)) attach(a, b);
   });
-  const std::vector<int> roots = sets.roots();
+  const std::vector<int> roots = rootsOf(sets, voxels.size());
   std::vector<int> labels(voxels.size());
   for (std::size_t v = 0; v < voxels.size(); ++v) labels[v] = roots[std::size_t(host[v])];
   return labels;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/search/point_grid.h"
 #include "core/surface/skin_depth.h"
 #include "core/volume/sample.h"
@@ -27,7 +27,7 @@ constexpr float kSameSide = 0.5f;                         // least cosine betwee
 constexpr double kWidthOfVoxels =
     1.45;  // smallest spacings: what sampling and averaging add to an edge's width, squared
 constexpr float kLeastSlope = 1e-4f;
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kPointsPerTask = 256;
 constexpr std::size_t kCount = 2 * kReach + 1;
 
 using Profile = std::array<float, kCount>;  // from outside to inside; kReach is the point itself
@@ -162,14 +162,7 @@ class Edges {
  private:
   template <class Body>
   void forEachPoint(const Progress& progress, const Body& body) const {
-    const std::size_t count = position_.size();
-    parallelFor(
-        std::ptrdiff_t((count + kBatch - 1) / kBatch),
-        [&](std::ptrdiff_t batch) {
-          const std::size_t first = std::size_t(batch) * kBatch;
-          for (std::size_t s = first; s < std::min(count, first + kBatch); ++s) body(s);
-        },
-        progress);
+    parallelItems(position_.size(), kPointsPerTask, body, progress);
   }
 
   // Calls f(neighbour, samples that it lies outward, weight) for those on the same side, the point itself included.

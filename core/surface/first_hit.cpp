@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr std::ptrdiff_t kBatch = 512;
+constexpr std::size_t kVoxelsPerTask = 512;
 
 // BackwardLook: from surface voxels back to the probe.
 class BackwardLook {
@@ -103,14 +103,8 @@ std::vector<SurfaceVoxel> keepFirstHits(const std::vector<SurfaceVoxel>& voxels,
   if (!(depth > 0)) return voxels;
   const BackwardLook look(voxels, lowPassed, frame, levels, depth);
   std::vector<char> hidden(voxels.size());
-  const auto count = std::ptrdiff_t(voxels.size());
-  parallelFor((count + kBatch - 1) / kBatch,
-              [&](std::ptrdiff_t batch) {
-                const std::ptrdiff_t end = std::min(count, (batch + 1) * kBatch);
-                for (std::ptrdiff_t v = batch * kBatch; v < end; ++v)
-                  hidden[std::size_t(v)] = look.isHidden(voxels[std::size_t(v)]);
-              },
-              progress);
+  parallelItems(
+      voxels.size(), kVoxelsPerTask, [&](std::size_t v) { hidden[v] = look.isHidden(voxels[v]); }, progress);
   std::vector<SurfaceVoxel> kept;
   for (std::size_t v = 0; v < voxels.size(); ++v)
     if (!hidden[v]) kept.push_back(voxels[v]);

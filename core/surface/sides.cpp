@@ -5,7 +5,7 @@
 #include <queue>
 #include <unordered_map>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -35,7 +35,7 @@ std::vector<Step> stepsOf(const Geometry& geometry) {
 constexpr float kTurnedAway =
     -0.2f;                     // cosine between beam and inward gradient below which the inside is seen
 constexpr float kBehind = 30;  // mm behind what faces the probe within which its other sides lie
-constexpr int kBatch = 256;
+constexpr std::size_t kVoxelsPerTask = 256;
 
 // Fronts: where voxels lie that face the probe, each with those around it, so that small gaps do not count.
 class Fronts {
@@ -111,15 +111,10 @@ std::vector<SurfaceVoxel> dropBareSides(const std::vector<SurfaceVoxel>& voxels,
                                         const Beam& beam, const Progress& progress) {
   const Fronts fronts(voxels, geometry, beam);
   std::vector<char> bare(voxels.size(), 0);
-  const auto count = std::ptrdiff_t(voxels.size());
-  parallelFor((count + kBatch - 1) / kBatch,
-              [&](std::ptrdiff_t batch) {
-                for (std::ptrdiff_t v = batch * kBatch; v < std::min(count, (batch + 1) * kBatch); ++v) {
-                  const SurfaceVoxel& voxel = voxels[std::size_t(v)];
-                  bare[std::size_t(v)] = voxel.facing < kTurnedAway && !fronts.liesBefore(voxel);
-                }
-              },
-              progress);
+  parallelItems(
+      voxels.size(), kVoxelsPerTask,
+      [&](std::size_t v) { bare[v] = voxels[v].facing < kTurnedAway && !fronts.liesBefore(voxels[v]); },
+      progress);
   std::vector<SurfaceVoxel> kept;
   for (std::size_t v = 0; v < voxels.size(); ++v)
     if (!bare[v]) kept.push_back(voxels[v]);

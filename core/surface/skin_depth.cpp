@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/search/point_grid.h"
 
 namespace sonoskin {
@@ -14,7 +14,7 @@ constexpr float kThinnest = 4;      // times the depth: thinner bodies get less
 constexpr float kSameSide = 0.3f;   // least cosine between the normals of neighbours
 constexpr float kOpposite = -0.3f;  // largest cosine between the normals of two sides
 constexpr float kAcross = 0.6f;     // of their distance: how far sides may lie beside each other's normal
-constexpr std::ptrdiff_t kBatch = 256;
+constexpr std::size_t kPointsPerTask = 256;
 
 // Inward: the points in the order of a grid, and how each moves.
 class Inward {
@@ -54,13 +54,7 @@ class Inward {
  private:
   template <class Body>
   void forEachPoint(const Progress& progress, const Body& body) const {
-    const auto count = std::ptrdiff_t(position_.size());
-    parallelFor((count + kBatch - 1) / kBatch,
-                [&](std::ptrdiff_t batch) {
-                  for (std::ptrdiff_t s = batch * kBatch; s < std::min(count, (batch + 1) * kBatch); ++s)
-                    body(std::size_t(s));
-                },
-                progress);
+    parallelItems(position_.size(), kPointsPerTask, body, progress);
   }
 
   // Calls f(another point or this one, the way to it).

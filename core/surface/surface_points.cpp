@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/volume/sample.h"
 
 namespace sonoskin {
@@ -37,13 +37,9 @@ void addPoint(const SurfaceVoxel& voxel, const Volume<float>& lowPassed, Surface
 
 SurfacePoints extractSurfacePoints(const std::vector<SurfaceVoxel>& voxels, const Volume<float>& lowPassed,
                                    const Progress& progress) {
-  std::vector<SurfacePoints> blocks((voxels.size() + kBlock - 1) / kBlock);
-  parallelFor(
-      std::ptrdiff_t(blocks.size()),
-      [&](std::ptrdiff_t b) {
-        const std::size_t first = std::size_t(b) * kBlock, end = std::min(voxels.size(), first + kBlock);
-        for (std::size_t v = first; v < end; ++v) addPoint(voxels[v], lowPassed, blocks[std::size_t(b)]);
-      },
+  std::vector<SurfacePoints> blocks(blockCount(voxels.size(), kBlock));
+  parallelItems(
+      voxels.size(), kBlock, [&](std::size_t v) { addPoint(voxels[v], lowPassed, blocks[v / kBlock]); },
       progress);
   SurfacePoints points;
   points.positions.reserve(voxels.size());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -52,21 +52,22 @@ class Envelope {
 
 // Lowers every line of `lines` x `length` values: line n begins at start(n), its values are `stride` apart.
 template <class Start>
-void lowerLines(std::vector<float>& squared, std::ptrdiff_t lines, std::size_t length, std::size_t stride,
+void lowerLines(std::vector<float>& squared, std::size_t lines, std::size_t length, std::size_t stride,
                 float step, const Start& start, const Progress& progress) {
-  constexpr std::ptrdiff_t kBatch = 64;
-  parallelFor((lines + kBatch - 1) / kBatch,
-              [&](std::ptrdiff_t batch) {
-                Envelope envelope(length);
-                std::vector<float> line(length);
-                for (std::ptrdiff_t n = batch * kBatch; n < std::min(lines, (batch + 1) * kBatch); ++n) {
-                  float* first = squared.data() + start(std::size_t(n));
-                  for (std::size_t p = 0; p < length; ++p) line[p] = first[p * stride];
-                  envelope.lower(line, step);
-                  for (std::size_t p = 0; p < length; ++p) first[p * stride] = line[p];
-                }
-              },
-              progress);
+  constexpr std::size_t kLinesPerTask = 64;
+  parallelBlocks(
+      lines, kLinesPerTask,
+      [&](std::size_t firstLine, std::size_t endLine) {
+        Envelope envelope(length);
+        std::vector<float> line(length);
+        for (std::size_t n = firstLine; n < endLine; ++n) {
+          float* first = squared.data() + start(n);
+          for (std::size_t p = 0; p < length; ++p) line[p] = first[p * stride];
+          envelope.lower(line, step);
+          for (std::size_t p = 0; p < length; ++p) first[p * stride] = line[p];
+        }
+      },
+      progress);
 }
 
 }  // namespace
@@ -78,14 +79,12 @@ Volume<std::uint8_t> maskDepth(const Volume<std::uint8_t>& mask, const Progress&
   std::vector<float> squared(mask.data.size());
   for (std::size_t v = 0; v < squared.size(); ++v) squared[v] = mask.data[v] ? 1e12f : 0.0f;
   lowerLines(
-      squared, std::ptrdiff_t(ny * nz), nx, 1, step.x, [&](std::size_t n) { return n * nx; },
-      progress.part(0, 0.3));
+      squared, ny * nz, nx, 1, step.x, [&](std::size_t n) { return n * nx; }, progress.part(0, 0.3));
   lowerLines(
-      squared, std::ptrdiff_t(nx * nz), ny, nx, step.y,
-      [&](std::size_t n) { return n / nx * nx * ny + n % nx; }, progress.part(0.3, 0.6));
+      squared, nx * nz, ny, nx, step.y, [&](std::size_t n) { return n / nx * nx * ny + n % nx; },
+      progress.part(0.3, 0.6));
   lowerLines(
-      squared, std::ptrdiff_t(nx * ny), nz, nx * ny, step.z, [](std::size_t n) { return n; },
-      progress.part(0.6, 0.9));
+      squared, nx * ny, nz, nx * ny, step.z, [](std::size_t n) { return n; }, progress.part(0.6, 0.9));
   Volume<std::uint8_t> depth(g);
   for (std::size_t v = 0; v < squared.size(); ++v)  // the border is half a voxel before the voxel outside
     if (mask.data[v])

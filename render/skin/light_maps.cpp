@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/perpendicular.h"
 #include "render/skin/gpu_skin.h"
 #include "render/surface_shading.h"
 
@@ -24,7 +25,7 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
   const float half = distance > 1.05f * radius ? std::asin(radius / distance) : glm::radians(70.f);
   const float near = std::max(distance - radius, 0.02f * radius), far = distance + radius;
   const glm::mat4 projection = glm::perspective(2 * half, 1.f, near, far);
-  const glm::vec3 up = std::abs(forward.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+  const glm::vec3 up = axisAside(forward, {2, 0});
   terms = depthTerms(projection);
   width = 2 * std::tan(half) * distance;
   return projection * glm::lookAt(lamp.position, lamp.position + forward, up);

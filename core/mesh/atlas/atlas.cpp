@@ -126,13 +126,11 @@ Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& 
   atlas.charts = int(charts.size());
   atlas.chart = charts.ofTriangle;
   atlas.corners.resize(mesh.triangles.size());
-  parallelBlocks(
-      mesh.triangles.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          const std::uint32_t c = atlas.chart[t];
-          atlas.corners[t] = place(mesh, std::uint32_t(t), axes[charts.axis[c]], layout, c);
-        }
+  parallelItems(
+      mesh.triangles.size(), kFacetsPerTask,
+      [&](std::size_t t) {
+        const std::uint32_t c = atlas.chart[t];
+        atlas.corners[t] = place(mesh, std::uint32_t(t), axes[charts.axis[c]], layout, c);
       },
       progress.part(0.9, 1));
   placeSkirts(mesh, axes, charts, skirts, layout, atlas);

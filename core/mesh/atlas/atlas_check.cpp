@@ -65,8 +65,8 @@ double stretchOf(const Facets& facets, const Atlas& atlas, std::size_t t) {
 
 void measureStretch(const Facets& facets, const Atlas& atlas, double area, AtlasCheck& check) {
   std::vector<std::pair<double, float>> stretches(facets.size());  // stretch, area
-  parallelBlocks(facets.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) stretches[t] = {stretchOf(facets, atlas, t), facets.area(t)};
+  parallelItems(facets.size(), kFacetsPerTask, [&](std::size_t t) {
+    stretches[t] = {stretchOf(facets, atlas, t), facets.area(t)};
   });
   std::sort(stretches.begin(), stretches.end());
   double below = 0, steep = 0;

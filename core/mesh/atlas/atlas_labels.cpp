@@ -31,13 +31,11 @@ std::vector<glm::vec3> smoothNormals(const Facets& facets, float length, const P
     sums[patches.ofTriangle[t]] += glm::vec4(facets.normal[t], 0);
   const std::vector<glm::vec4> smooth = smoothOverPatches(patches, sums, length, progress.part(0.4, 0.8));
   std::vector<glm::vec3> normals(facets.size());
-  parallelBlocks(
-      facets.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          const glm::vec3 n(atPoint(patches, smooth, patches.ofTriangle[t], facets.centre[t]));
-          normals[t] = unitOr(n, unitOr(facets.normal[t], {0, 0, 1}));
-        }
+  parallelItems(
+      facets.size(), kFacetsPerTask,
+      [&](std::size_t t) {
+        const glm::vec3 n(atPoint(patches, smooth, patches.ofTriangle[t], facets.centre[t]));
+        normals[t] = unitOr(n, unitOr(facets.normal[t], {0, 0, 1}));
       },
       progress.part(0.8, 1));
   return normals;
@@ -63,18 +61,12 @@ std::vector<std::uint32_t> labelTriangles(const Facets& facets, const std::vecto
   constexpr float kFrontBias = 0.15f;
   constexpr int kRounds = 4;
   std::vector<std::uint32_t> labels(facets.size()), filtered(facets.size());
-  parallelBlocks(
-      facets.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) labels[t] = nearestAxis(normals[t], axes, kFrontBias);
-      },
-      progress.part(0, 0.3));
+  parallelItems(
+      facets.size(), kFacetsPerTask,
+      [&](std::size_t t) { labels[t] = nearestAxis(normals[t], axes, kFrontBias); }, progress.part(0, 0.3));
   for (int round = 0; round < kRounds; ++round) {
-    parallelBlocks(
-        facets.size(),
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t t = begin; t < end; ++t) filtered[t] = majority(facets, labels, t);
-        },
+    parallelItems(
+        facets.size(), kFacetsPerTask, [&](std::size_t t) { filtered[t] = majority(facets, labels, t); },
         progress.part(0.3, 1).cancelOnly());
     labels.swap(filtered);
   }

@@ -1,7 +1,5 @@
 #include "core/mesh/atlas/atlas_regions.h"
 
-#include <numeric>
-
 namespace sonoskin {
 
 bool Region::faces(const glm::vec3& toward) const {
@@ -9,8 +7,7 @@ bool Region::faces(const glm::vec3& toward) const {
 }
 
 ChartRegions::ChartRegions(const Facets& facets, const Charts& charts)
-    : regions_(charts.size()), mergedInto_(charts.size()) {
-  std::iota(mergedInto_.begin(), mergedInto_.end(), 0);
+    : regions_(charts.size()), merged_(charts.size()) {
   for (std::size_t t = 0; t < facets.size(); ++t) {
     Region& region = regions_[charts.ofTriangle[t]];
     region.area += double(facets.area(t));
@@ -37,21 +34,17 @@ void ChartRegions::merge(std::uint32_t from, std::uint32_t into) {
   regions_[into].area += regions_[from].area;
   regions_[into].normal += regions_[from].normal;
   regions_[from].borders.clear();
-  mergedInto_[from] = into;
+  merged_.joinInto(from, into);
 }
 
-void ChartRegions::apply(Charts& charts) const {
+void ChartRegions::apply(Charts& charts) {
   std::vector<std::uint32_t> number(charts.size()), axis;
   for (std::uint32_t c = 0; c < charts.size(); ++c) {
-    if (mergedInto_[c] != c) continue;
+    if (!merged_.isRoot(c)) continue;
     number[c] = std::uint32_t(axis.size());
     axis.push_back(charts.axis[c]);
   }
-  for (std::uint32_t c = 0; c < charts.size(); ++c) {
-    std::uint32_t root = c;
-    while (mergedInto_[root] != root) root = mergedInto_[root];
-    number[c] = number[root];
-  }
+  for (std::uint32_t c = 0; c < charts.size(); ++c) number[c] = number[merged_.root(c)];
   for (std::uint32_t& c : charts.ofTriangle) c = number[c];
   charts.axis = std::move(axis);
 }

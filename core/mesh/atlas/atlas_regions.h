@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/atlas/atlas_charts.h"
 
 namespace sonoskin {
@@ -25,11 +26,11 @@ class ChartRegions {
   const Region& operator[](std::size_t chart) const { return regions_[chart]; }
   void merge(std::uint32_t from, std::uint32_t into);
   // apply: the charts after all merges; those that are left keep their order.
-  void apply(Charts& charts) const;
+  void apply(Charts& charts);
 
  private:
   std::vector<Region> regions_;
-  std::vector<std::uint32_t> mergedInto_;
+  DisjointSets merged_;
 };
 
 }  // namespace sonoskin

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -89,23 +89,24 @@ void blurRows(const glm::ivec2& size, int halfWidth, std::vector<glm::vec4>& map
 // Eight columns at a time, so that what a cache line holds is used.
 void blurColumns(const glm::ivec2& size, int halfWidth, std::vector<glm::vec4>& map,
                  const Progress& progress) {
-  constexpr int kColumns = 8;
+  constexpr std::size_t kColumns = 8;
   const auto at = [&](int x, int y) -> glm::vec4& {
     return map[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
   };
-  parallelFor((size.x + kColumns - 1) / kColumns,
-              [&](std::ptrdiff_t block) {
-                const int x0 = int(block) * kColumns, x1 = std::min(x0 + kColumns, size.x);
-                LineBlur lineBlur(halfWidth);
-                std::array<std::vector<glm::vec4>, kColumns> lines;
-                for (auto& line : lines) line.resize(std::size_t(size.y));
-                for (int y = 0; y < size.y; ++y)
-                  for (int x = x0; x < x1; ++x) lines[std::size_t(x - x0)][std::size_t(y)] = at(x, y);
-                for (auto& line : lines) lineBlur.blur(line);
-                for (int y = 0; y < size.y; ++y)
-                  for (int x = x0; x < x1; ++x) at(x, y) = lines[std::size_t(x - x0)][std::size_t(y)];
-              },
-              progress);
+  parallelBlocks(
+      std::size_t(size.x), kColumns,
+      [&](std::size_t first, std::size_t end) {
+        const int x0 = int(first), x1 = int(end);
+        LineBlur lineBlur(halfWidth);
+        std::array<std::vector<glm::vec4>, kColumns> lines;
+        for (auto& line : lines) line.resize(std::size_t(size.y));
+        for (int y = 0; y < size.y; ++y)
+          for (int x = x0; x < x1; ++x) lines[std::size_t(x - x0)][std::size_t(y)] = at(x, y);
+        for (auto& line : lines) lineBlur.blur(line);
+        for (int y = 0; y < size.y; ++y)
+          for (int x = x0; x < x1; ++x) at(x, y) = lines[std::size_t(x - x0)][std::size_t(y)];
+      },
+      progress);
 }
 
 // The mean over what is owned, mm per texel.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/base/perpendicular.h"
 #include "core/mesh/atlas/atlas_maps.h"
 #include "core/mesh/atlas/raster.h"
 #include "core/mesh/surface_curvature.h"
@@ -33,8 +34,7 @@ struct DepthRange {
 
   DepthRange(const glm::vec3& toward, const glm::vec3& middle, float diameter)
       : direction(toward), centre(middle), pixel(diameter / float(kPixels - 4)) {
-    u = glm::normalize(
-        glm::cross(toward, std::abs(toward.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
+    u = perpendicularTo(toward, {2, 0});
     v = glm::cross(toward, u);
   }
   // In pixels, and the depth in mm.

@@ -1,8 +1,8 @@
 #include "core/mesh/facts/mesh_check.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 
 namespace sonoskin {
@@ -45,23 +45,6 @@ std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh, const Progress& progress
   return halfEdges;
 }
 
-// The corners of all triangles as disjoint sets: corners at one vertex are joined across shared edges, so
-// that a vertex with one fan of triangles ends as one set.
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t corners) : parent_(corners) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 std::uint32_t cornerOf(const Mesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
   const Triangle& t = mesh.triangles[triangle];
   return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
@@ -73,8 +56,9 @@ struct Findings {
   std::vector<std::uint32_t> defective;
 };
 
-// Classifies the run of half-edges [first, last) that lie on one edge and joins the corners across it.
-void countEdge(const Mesh& mesh, const HalfEdge* first, const HalfEdge* last, CornerSets& corners,
+// Classifies the run of half-edges [first, last) that lie on one edge and joins the corners across it: corners at one
+// vertex, so that a vertex with one fan of triangles ends as one set.
+void countEdge(const Mesh& mesh, const HalfEdge* first, const HalfEdge* last, DisjointSets& corners,
                Findings& findings) {
   const auto uses = last - first;
   MeshCheck& check = findings.check;
@@ -89,10 +73,10 @@ void countEdge(const Mesh& mesh, const HalfEdge* first, const HalfEdge* last, Co
       corners.join(cornerOf(mesh, first->triangle, v), cornerOf(mesh, h->triangle, v));
 }
 
-void countVertices(const Mesh& mesh, CornerSets& corners, Findings& findings) {
+void countVertices(const Mesh& mesh, DisjointSets& corners, Findings& findings) {
   std::vector<std::uint32_t> fans(mesh.positions.size(), 0);
   for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
-    if (corners.find(c) == c) ++fans[mesh.triangles[c / 3][c % 3]];
+    if (corners.isRoot(c)) ++fans[mesh.triangles[c / 3][c % 3]];
   for (std::uint32_t v = 0; v < fans.size(); ++v) {
     findings.check.usedVertices += fans[v] > 0;
     findings.check.nonManifoldVertices += fans[v] > 1;
@@ -112,7 +96,7 @@ Findings inspect(const Mesh& mesh, const Progress& progress) {
             "The mesh is damaged: a triangle names a vertex that is not there.");
   Findings findings;
   const std::vector<HalfEdge> halfEdges = sortedHalfEdges(mesh, progress);
-  CornerSets corners(3 * mesh.triangles.size());
+  DisjointSets corners(3 * mesh.triangles.size());
   const HalfEdge* const end = halfEdges.data() + halfEdges.size();
   for (const HalfEdge* first = halfEdges.data(); first < end;) {
     const HalfEdge* last = first;

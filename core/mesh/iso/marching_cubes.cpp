@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/iso/marching_cubes_table.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr int kLayersPerTask = 8;
+constexpr std::size_t kLayersPerTask = 8;
 
 enum NodeState : std::uint8_t { outside = 0, inside = 1, undefined = 2 };
 
@@ -187,14 +187,13 @@ void writeTriangles(const SlicedGrid& grid, int k, const SliceNumbers& below, co
 }
 
 void writeMesh(const SlicedGrid& grid, const Offsets& offsets, Mesh& mesh, const Progress& progress) {
-  const int slices = grid.dims().z, tasks = (slices + kLayersPerTask - 1) / kLayersPerTask;
-  parallelFor(
-      tasks,
-      [&](std::ptrdiff_t task) {
-        const int from = int(task) * kLayersPerTask, to = std::min(from + kLayersPerTask, slices);
+  const int slices = grid.dims().z;
+  parallelBlocks(
+      std::size_t(slices), kLayersPerTask,
+      [&](std::size_t first, std::size_t end) {
         SliceNumbers below, above;
-        numberSlice(grid, from, offsets.vertices[std::size_t(from)], below);
-        for (int k = from; k < to; ++k) {
+        numberSlice(grid, int(first), offsets.vertices[first], below);
+        for (int k = int(first); k < int(end); ++k) {
           writeVertices(grid, k, offsets.vertices[std::size_t(k)], mesh);
           if (k + 1 == slices) break;
           numberSlice(grid, k + 1, offsets.vertices[std::size_t(k) + 1], above);

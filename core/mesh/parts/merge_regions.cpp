@@ -6,6 +6,8 @@
 #include <queue>
 #include <tuple>
 
+#include "core/base/disjoint_sets.h"
+
 namespace sonoskin {
 namespace {
 
@@ -34,7 +36,7 @@ class RegionGraph {
  public:
   RegionGraph(const PartGraph& graph, const std::vector<std::uint32_t>& regions, const MergeRules& rules,
               const std::vector<bool>& alone)
-      : graph_(graph), rules_(rules), alone_(alone), from_(graph.border.size()) {
+      : graph_(graph), rules_(rules), alone_(alone), from_(graph.border.size()), merged_(graph.size()) {
     for (std::size_t p = 0; p < graph.size(); ++p) areaOf(regions[p]) += double(graph.area[p]);
     for (std::uint32_t p = 0; p < graph.size(); ++p)
       for (std::uint32_t i = graph.patches.start[p]; i < graph.patches.start[p + 1]; ++i) {
@@ -43,21 +45,18 @@ class RegionGraph {
       }
     version_.assign(area_.size(), 0);
     alone_.resize(area_.size(), false);
-    into_.assign(area_.size(), kNone);
     for (std::uint32_t r = 0; r < area_.size(); ++r) offer(r, r);
   }
 
-  std::uint32_t find(std::uint32_t region) const {
-    while (into_[region] != kNone) region = into_[region];
-    return region;
-  }
+  // What a region has become part of.
+  std::uint32_t mergedInto(std::uint32_t region) { return merged_.root(region); }
 
   // Joins until no border is cheap enough.
   void merge() {
     while (!queue_.empty()) {
       const Offer best = queue_.top();
       queue_.pop();
-      if (into_[best.a] != kNone || into_[best.b] != kNone) continue;
+      if (!merged_.isRoot(best.a) || !merged_.isRoot(best.b)) continue;
       if (best.versions != version_[best.a] + version_[best.b]) continue;
       const Border& border = borders_[best.a].at(best.b);
       if (!mayJoin(best.a, best.b, border, contactLength(border))) continue;
@@ -151,7 +150,7 @@ class RegionGraph {
 
   void join(std::uint32_t a, std::uint32_t b) {
     if (borders_[a].size() < borders_[b].size()) std::swap(a, b);  // the longer list stays
-    into_[b] = a;
+    merged_.joinInto(b, a);
     area_[a] += area_[b];
     borders_[a].erase(b);
     for (const auto& [c, border] : borders_[b]) {
@@ -172,7 +171,8 @@ class RegionGraph {
   std::vector<std::uint32_t> from_;  // per entry of the lists of neighbours: whose it is
   std::vector<double> area_;
   std::vector<std::map<std::uint32_t, Border>> borders_;
-  std::vector<std::uint32_t> version_, into_;
+  std::vector<std::uint32_t> version_;
+  DisjointSets merged_;
   std::priority_queue<Offer> queue_;
 };
 
@@ -186,7 +186,7 @@ std::vector<std::uint32_t> mergeRegions(const PartGraph& graph, std::vector<std:
   std::vector<std::uint32_t> number(graph.size(), kNone);
   std::uint32_t count = 0;
   for (std::uint32_t& region : regions) {
-    std::uint32_t& n = number[merged.find(region)];
+    std::uint32_t& n = number[merged.mergedInto(region)];
     if (n == kNone) n = count++;
     region = n;
   }

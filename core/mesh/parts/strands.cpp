@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
+
 namespace sonoskin {
 namespace {
 
@@ -96,21 +98,16 @@ void joinStrands(const PartGraph& graph, std::vector<std::uint32_t>& regions, co
   std::vector<bool> loose(all.area.size());
   for (std::size_t r = 0; r < loose.size(); ++r) loose[r] = strand[r] || all.area[r] < double(smallArea);
   // The smallest first; one that goes with a loose one goes where that goes.
-  std::vector<std::uint32_t> order(loose.size()), into(loose.size());
+  std::vector<std::uint32_t> order(loose.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::iota(into.begin(), into.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return all.area[a] < all.area[b]; });
-  const auto find = [&](std::uint32_t r) {
-    while (into[r] != r) r = into[r];
-    return r;
-  };
+  DisjointSets joined(loose.size());
   for (const std::uint32_t r : order) {
     if (!loose[r]) continue;
-    const std::uint32_t host = find(hostOf(all, r, loose, strand[r]));
-    if (host != r) into[r] = host;
+    joined.joinInto(r, hostOf(all, r, loose, strand[r]));
   }
-  for (std::uint32_t& region : regions) region = find(region);
+  for (std::uint32_t& region : regions) region = joined.root(region);
   renumber(regions);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/perpendicular.h"
 #include "core/mesh/components.h"
 #include "core/mesh/facts/mesh_check.h"
 #include "core/mesh/iso/marching_cubes.h"
@@ -45,8 +46,7 @@ glm::dvec3 awayFrom(const Mesh& surface) {
 }
 
 glm::dmat3 frameAlong(const glm::dvec3& axis) {
-  const glm::dvec3 helper = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 right = glm::normalize(glm::cross(axis, helper));
+  const glm::dvec3 right = perpendicularTo(axis, {0, 1});
   return {right, glm::cross(axis, right), axis};
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/half_edges.h"
 
 namespace sonoskin {
@@ -12,18 +12,6 @@ namespace {
 constexpr float kNormalWidth = 0.35f;
 constexpr int kVertexSteps = 10;
 constexpr std::size_t kPerTask = 4096;
-
-// Calls body(i) for every i below count, many to a task.
-template <class F>
-void forEachParallel(std::size_t count, const Progress& progress, const F& body) {
-  parallelFor(
-      std::ptrdiff_t((count + kPerTask - 1) / kPerTask),
-      [&](std::ptrdiff_t task) {
-        const std::size_t first = std::size_t(task) * kPerTask, last = std::min(first + kPerTask, count);
-        for (std::size_t i = first; i < last; ++i) body(i);
-      },
-      progress);
-}
 
 // The triangles at each vertex, in ascending order.
 struct VertexTriangles {
@@ -59,7 +47,8 @@ class Smoother {
   void step(const Progress& progress) {
     measureFaces(progress);
     const float width = meanNeighbourDistance();
-    forEachParallel(faces_.size(), progress, [&](std::size_t t) { next_[t] = filteredNormal(t, width); });
+    parallelItems(
+        faces_.size(), kPerTask, [&](std::size_t t) { next_[t] = filteredNormal(t, width); }, progress);
     for (std::size_t t = 0; t < faces_.size(); ++t) faces_[t].normal = next_[t];
     for (int i = 0; i < kVertexSteps; ++i) moveVertices(progress);
   }
@@ -83,13 +72,16 @@ class Smoother {
   }
 
   void measureFaces(const Progress& progress) {
-    forEachParallel(faces_.size(), progress, [&](std::size_t t) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      const glm::vec3 &x = mesh_.positions[a], &y = mesh_.positions[b], &z = mesh_.positions[c];
-      const glm::vec3 n = glm::cross(y - x, z - x);
-      const float length = glm::length(n);
-      faces_[t] = {(x + y + z) / 3.f, length > 0 ? n / length : glm::vec3(0), 0.5f * length};
-    });
+    parallelItems(
+        faces_.size(), kPerTask,
+        [&](std::size_t t) {
+          const auto& [a, b, c] = mesh_.triangles[t];
+          const glm::vec3 &x = mesh_.positions[a], &y = mesh_.positions[b], &z = mesh_.positions[c];
+          const glm::vec3 n = glm::cross(y - x, z - x);
+          const float length = glm::length(n);
+          faces_[t] = {(x + y + z) / 3.f, length > 0 ? n / length : glm::vec3(0), 0.5f * length};
+        },
+        progress);
   }
 
   // By the sides of the triangles: middles of neighbours are two thirds of a height apart, about 0.58 sides.
@@ -121,20 +113,24 @@ class Smoother {
 
   // Every vertex toward the planes through its triangles' middles across the filtered normals.
   void moveVertices(const Progress& progress) {
-    forEachParallel(faces_.size(), progress,
-                    [&](std::size_t t) { faces_[t].middle = middleOf(std::uint32_t(t)); });
-    forEachParallel(mesh_.positions.size(), progress, [&](std::size_t v) {
-      glm::vec3 move(0);
-      float count = 0;
-      around_.forEach(std::uint32_t(v), [&](std::uint32_t t) {
-        move += faces_[t].normal * glm::dot(faces_[t].normal, faces_[t].middle - mesh_.positions[v]);
-        ++count;
-      });
-      if (count == 0) return;
-      move /= count;
-      if (isBorder_[v]) move = tangents_[v] * glm::dot(tangents_[v], move);
-      mesh_.positions[v] += move;
-    });
+    parallelItems(
+        faces_.size(), kPerTask, [&](std::size_t t) { faces_[t].middle = middleOf(std::uint32_t(t)); },
+        progress);
+    parallelItems(
+        mesh_.positions.size(), kPerTask,
+        [&](std::size_t v) {
+          glm::vec3 move(0);
+          float count = 0;
+          around_.forEach(std::uint32_t(v), [&](std::uint32_t t) {
+            move += faces_[t].normal * glm::dot(faces_[t].normal, faces_[t].middle - mesh_.positions[v]);
+            ++count;
+          });
+          if (count == 0) return;
+          move /= count;
+          if (isBorder_[v]) move = tangents_[v] * glm::dot(tangents_[v], move);
+          mesh_.positions[v] += move;
+        },
+        progress);
   }
 
   Mesh& mesh_;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/search/triangle_tree.h"
 
 namespace sonoskin {
@@ -71,13 +71,11 @@ std::vector<Measure> measureAll(const Mesh& from, const Target& target, const Pr
   const std::vector<glm::vec3> normals = vertexNormals(from);
   const std::vector<float> areas = vertexAreas(from);
   std::vector<Measure> result(from.positions.size());
-  const std::size_t tasks = (result.size() + kVerticesPerTask - 1) / kVerticesPerTask;
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t first = std::size_t(task) * kVerticesPerTask;
+  parallelBlocks(
+      result.size(), kVerticesPerTask,
+      [&](std::size_t first, std::size_t end) {
         std::uint32_t guess = 0;
-        for (std::size_t v = first; v < std::min(first + kVerticesPerTask, result.size()); ++v) {
+        for (std::size_t v = first; v < end; ++v) {
           if (areas[v] == 0) continue;  // no triangle: not part of the surface
           result[v] = measure(from.positions[v], normals[v], target, guess);
           result[v].weight = areas[v];

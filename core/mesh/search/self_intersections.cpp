@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/search/triangle_tree.h"
 
 namespace sonoskin {
@@ -79,15 +79,12 @@ bool trianglesCross(const Corners& a, const Corners& b) {
 std::size_t countSelfIntersections(const Mesh& mesh, const Progress& progress) {
   if (mesh.empty()) return 0;
   const TriangleTree tree(mesh);
-  const std::size_t tasks = (mesh.triangles.size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
-  std::vector<std::size_t> counts(tasks, 0);
-  parallelFor(
-      std::ptrdiff_t(tasks),
-      [&](std::ptrdiff_t task) {
-        const std::size_t first = std::size_t(task) * kTrianglesPerTask,
-                          last = std::min(first + kTrianglesPerTask, mesh.triangles.size());
-        for (std::size_t t = first; t < last; ++t)
-          counts[std::size_t(task)] += countOf(mesh, tree, std::uint32_t(t));
+  std::vector<std::size_t> counts(blockCount(mesh.triangles.size(), kTrianglesPerTask), 0);
+  parallelBlocks(
+      mesh.triangles.size(), kTrianglesPerTask,
+      [&](std::size_t first, std::size_t end) {
+        std::size_t& count = counts[first / kTrianglesPerTask];
+        for (std::size_t t = first; t < end; ++t) count += countOf(mesh, tree, std::uint32_t(t));
       },
       progress);
   return std::accumulate(counts.begin(), counts.end(), std::size_t(0));

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/rbf/basis.h"
 
 namespace sonoskin {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSmallestBatch = 16, kLargestBatch = 512;
 constexpr std::size_t kDeferredPerBatch = 2;  // so many times a full batch are left out before it is fitted
-constexpr std::ptrdiff_t kFitsPerTask = 4;
+constexpr std::size_t kFitsPerTask = 4;
 constexpr int kThresholds = 10;
 
 // The same shuffle on every machine (std::shuffle leaves the order to the library).
@@ -97,14 +97,10 @@ class Cover {
   }
 
   void fitAndAccept(const std::vector<std::uint32_t>& batch, float threshold, const Progress& progress) {
-    const auto count = std::ptrdiff_t(batch.size());
     candidates_.resize(std::max(candidates_.size(), batch.size()));
-    parallelFor((count + kFitsPerTask - 1) / kFitsPerTask, [&](std::ptrdiff_t task) {
-      for (std::ptrdiff_t i = task * kFitsPerTask; i < std::min(count, (task + 1) * kFitsPerTask); ++i) {
-        progress.throwIfCancelled();
-        const std::uint32_t point = batch[std::size_t(i)];
-        fitCandidate(points_, point, rule_, states_[point].hint, candidates_[std::size_t(i)]);
-      }
+    parallelItems(batch.size(), kFitsPerTask, [&](std::size_t i) {
+      progress.throwIfCancelled();
+      fitCandidate(points_, batch[i], rule_, states_[batch[i]].hint, candidates_[i]);
     });
     std::size_t covered = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {

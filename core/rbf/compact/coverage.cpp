@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/rbf/basis.h"
 #include "core/rbf/lane_packer.h"
 
@@ -11,10 +11,6 @@ namespace sonoskin {
 namespace {
 
 constexpr std::size_t kCentresPerTask = 32, kPointsPerTask = 8192;
-
-std::ptrdiff_t taskCount(std::size_t items, std::size_t perTask) {
-  return std::ptrdiff_t((items + perTask - 1) / perTask);
-}
 
 // The points closer than a centre's support: number and squared distance.
 struct Covered {
@@ -95,24 +91,20 @@ void forEachBetween(const CoverageRows& rows, std::size_t row, std::size_t first
 
 CoverageRows coverageByCentre(const SortedPoints& points, const std::vector<Centre>& centres,
                               const Progress& progress) {
-  const std::ptrdiff_t tasks = taskCount(centres.size(), kCentresPerTask);
-  std::vector<Part> parts(static_cast<std::size_t>(tasks));
-  const auto firstOf = [&](std::ptrdiff_t task) {
-    return std::min(centres.size(), std::size_t(task) * kCentresPerTask);
-  };
-  parallelFor(
-      tasks,
-      [&](std::ptrdiff_t task) {
-        parts[std::size_t(task)] = coverPart(points, centres, firstOf(task), firstOf(task + 1));
+  std::vector<Part> parts(blockCount(centres.size(), kCentresPerTask));
+  parallelBlocks(
+      centres.size(), kCentresPerTask,
+      [&](std::size_t first, std::size_t end) {
+        parts[first / kCentresPerTask] = coverPart(points, centres, first, end);
       },
       progress);
   CoverageRows result;
   for (const Part& part : parts)
     for (const std::size_t length : part.length) result.start.push_back(result.start.back() + length);
   result.entries.resize(result.start.back());
-  parallelFor(tasks, [&](std::ptrdiff_t task) {
-    Part& part = parts[std::size_t(task)];
-    std::copy(part.entries.begin(), part.entries.end(), result.begin(firstOf(task)));
+  parallelBlocks(centres.size(), kCentresPerTask, [&](std::size_t first, std::size_t) {
+    Part& part = parts[first / kCentresPerTask];
+    std::copy(part.entries.begin(), part.entries.end(), result.begin(first));
     part = {};
   });
   return result;
@@ -122,30 +114,23 @@ CoverageRows coverageByPoint(const CoverageRows& byCentre, std::size_t points, c
   CoverageRows result;
   result.start.assign(points + 1, 0);
   // Every task owns a range of points, so that the order within a row is that of the centres.
-  const auto forEachEntry = [&](std::ptrdiff_t task, const auto& f) {
-    const std::size_t first = std::size_t(task) * kPointsPerTask,
-                      last = std::min(points, first + kPointsPerTask);
-    for (std::size_t c = 0; c < byCentre.rows(); ++c)
-      forEachBetween(byCentre, c, first, last, [&](const CoverageEntry& e) { f(c, e); });
+  const auto forEachEntry = [&](const Progress& part, const auto& f) {
+    parallelBlocks(
+        points, kPointsPerTask,
+        [&](std::size_t first, std::size_t end) {
+          for (std::size_t c = 0; c < byCentre.rows(); ++c)
+            forEachBetween(byCentre, c, first, end, [&](const CoverageEntry& e) { f(c, e); });
+        },
+        part);
   };
-  const std::ptrdiff_t tasks = taskCount(points, kPointsPerTask);
-  parallelFor(
-      tasks,
-      [&](std::ptrdiff_t task) {
-        forEachEntry(task, [&](std::size_t, const CoverageEntry& e) { ++result.start[e.other + 1]; });
-      },
-      progress.part(0, 0.5));
+  forEachEntry(progress.part(0, 0.5),
+               [&](std::size_t, const CoverageEntry& e) { ++result.start[e.other + 1]; });
   for (std::size_t k = 0; k < points; ++k) result.start[k + 1] += result.start[k];
   result.entries.resize(result.start.back());
   std::vector<std::size_t> next(result.start.begin(), result.start.end() - 1);
-  parallelFor(
-      tasks,
-      [&](std::ptrdiff_t task) {
-        forEachEntry(task, [&](std::size_t c, const CoverageEntry& e) {
-          result.entries[next[e.other]++] = {std::uint32_t(c), e.phi};
-        });
-      },
-      progress.part(0.5, 1));
+  forEachEntry(progress.part(0.5, 1), [&](std::size_t c, const CoverageEntry& e) {
+    result.entries[next[e.other]++] = {std::uint32_t(c), e.phi};
+  });
   return result;
 }
 

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr std::size_t kPointsPerTask = 4096;
+constexpr std::size_t kPointsPerTask = 4096, kRowsPerTask = 1024;
 constexpr int kMaxIterations = 1000;
 constexpr double kTolerance = 1e-4;
-
-std::ptrdiff_t taskCount(std::size_t items, std::size_t perTask) {
-  return std::ptrdiff_t((items + perTask - 1) / perTask);
-}
 
 // ph_i(p_k) by point.
 CoverageRows findShares(const SortedPoints& points, const CentreSelection& selection, FunctionForm form,
@@ -23,10 +19,8 @@ CoverageRows findShares(const SortedPoints& points, const CentreSelection& selec
   const CoverageRows byCentre = coverageByCentre(points, selection.centres, progress.part(0, 0.6));
   CoverageRows shares = coverageByPoint(byCentre, points.size(), progress.part(0.6, 1));
   if (form == FunctionForm::plain) return shares;
-  parallelFor(taskCount(points.size(), kPointsPerTask), [&](std::ptrdiff_t task) {
-    const std::size_t first = std::size_t(task) * kPointsPerTask;
-    for (std::size_t k = first; k < std::min(points.size(), first + kPointsPerTask); ++k)
-      for (CoverageEntry* e = shares.begin(k); e < shares.end(k); ++e) e->phi /= selection.overlap[k];
+  parallelItems(points.size(), kPointsPerTask, [&](std::size_t k) {
+    for (CoverageEntry* e = shares.begin(k); e < shares.end(k); ++e) e->phi /= selection.overlap[k];
   });
   return shares;
 }
@@ -34,14 +28,10 @@ CoverageRows findShares(const SortedPoints& points, const CentreSelection& selec
 std::vector<double> multiply(const LambdaSystem& A, const std::vector<double>& diagonal,
                              const std::vector<double>& x) {
   std::vector<double> y(x.size());
-  constexpr std::ptrdiff_t kRows = 1024;
-  const auto size = std::ptrdiff_t(x.size());
-  parallelFor((size + kRows - 1) / kRows, [&](std::ptrdiff_t task) {
-    for (auto i = std::size_t(task * kRows); i < std::size_t(std::min(size, (task + 1) * kRows)); ++i) {
-      double sum = diagonal[i] * x[i];
-      for (std::size_t e = A.rowStart[i]; e < A.rowStart[i + 1]; ++e) sum += A.value[e] * x[A.column[e]];
-      y[i] = sum;
-    }
+  parallelItems(x.size(), kRowsPerTask, [&](std::size_t i) {
+    double sum = diagonal[i] * x[i];
+    for (std::size_t e = A.rowStart[i]; e < A.rowStart[i + 1]; ++e) sum += A.value[e] * x[A.column[e]];
+    y[i] = sum;
   });
   return y;
 }
@@ -98,11 +88,9 @@ std::vector<float> fitLambda(const SortedPoints& points, double regularisation, 
   const std::vector<double> lambda =
       solveLambda(system, selection.centres, regularisation, progress.part(0.8, 1));
   for (std::size_t i = 0; i < lambda.size(); ++i) selection.centres[i].lambda = float(lambda[i]);
-  parallelFor(taskCount(values.size(), kPointsPerTask), [&](std::ptrdiff_t task) {
-    const std::size_t first = std::size_t(task) * kPointsPerTask;
-    for (std::size_t k = first; k < std::min(values.size(), first + kPointsPerTask); ++k)
-      for (const CoverageEntry* e = shares.begin(k); e < shares.end(k); ++e)
-        values[k] += e->phi * selection.centres[e->other].lambda;
+  parallelItems(values.size(), kPointsPerTask, [&](std::size_t k) {
+    for (const CoverageEntry* e = shares.begin(k); e < shares.end(k); ++e)
+      values[k] += e->phi * selection.centres[e->other].lambda;
   });
   return values;
 }

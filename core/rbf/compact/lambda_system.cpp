@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -11,10 +11,6 @@ namespace {
 constexpr std::size_t kPointsPerBlock = 32, kPointsPerTask = 4096;
 constexpr std::size_t kSmallestTask = 32, kMostTasks = 256;  // rows; every task zeroes an array as long as λ
 constexpr std::size_t kLanes = 8;
-
-std::ptrdiff_t taskCount(std::size_t items, std::size_t perTask) {
-  return std::ptrdiff_t((items + perTask - 1) / perTask);
-}
 
 struct MatrixEntry {
   std::uint32_t row, column;
@@ -126,15 +122,12 @@ void sortByRow(std::vector<MatrixEntry>& entries, std::size_t rows) {
 
 std::vector<Part> sumBlocks(const SortedPoints& points, const CoverageRows& byPoint,
                             const std::vector<float>& base, std::size_t centres, const Progress& progress) {
-  const std::ptrdiff_t tasks = taskCount(points.size(), kPointsPerTask);
-  std::vector<Part> parts(static_cast<std::size_t>(tasks));
-  parallelFor(
-      tasks,
-      [&](std::ptrdiff_t task) {
-        Part& part = parts[std::size_t(task)];
+  std::vector<Part> parts(blockCount(points.size(), kPointsPerTask));
+  parallelBlocks(
+      points.size(), kPointsPerTask,
+      [&](std::size_t start, std::size_t end) {
+        Part& part = parts[start / kPointsPerTask];
         Block block(centres);
-        const std::size_t start = std::size_t(task) * kPointsPerTask;
-        const std::size_t end = std::min(points.size(), start + kPointsPerTask);
         for (std::size_t first = start; first < end; first += kPointsPerBlock)
           block.add(points, byPoint, base, first, std::min(end, first + kPointsPerBlock), part);
         sortByRow(part.entries, centres);
@@ -145,13 +138,11 @@ std::vector<Part> sumBlocks(const SortedPoints& points, const CoverageRows& byPo
 
 std::vector<Row> sumRows(const std::vector<Part>& parts, std::size_t centres, const Progress& progress) {
   std::vector<Row> rows(centres);
-  const std::size_t perTask = std::max(kSmallestTask, centres / kMostTasks);
-  parallelFor(
-      taskCount(centres, perTask),
-      [&](std::ptrdiff_t task) {
+  parallelBlocks(
+      centres, std::max(kSmallestTask, centres / kMostTasks),
+      [&](std::size_t begin, std::size_t end) {
         RowSum sum(centres);
-        const auto first = std::uint32_t(std::size_t(task) * perTask);
-        const auto last = std::uint32_t(std::min(centres, std::size_t(first) + perTask));
+        const auto first = std::uint32_t(begin), last = std::uint32_t(end);
         const auto isBefore = [](const MatrixEntry& e, std::uint32_t row) { return e.row < row; };
         std::vector<const MatrixEntry*> at;
         for (const Part& part : parts)
@@ -159,8 +150,9 @@ std::vector<Row> sumRows(const std::vector<Part>& parts, std::size_t centres, co
                                         isBefore));
         for (std::uint32_t row = first; row < last; ++row) {
           for (std::size_t p = 0; p < parts.size(); ++p) {
-            const MatrixEntry* end = parts[p].entries.data() + parts[p].entries.size();
-            for (; at[p] < end && at[p]->row == row; ++at[p]) sum.add(at[p]->column, double(at[p]->value));
+            const MatrixEntry* partEnd = parts[p].entries.data() + parts[p].entries.size();
+            for (; at[p] < partEnd && at[p]->row == row; ++at[p])
+              sum.add(at[p]->column, double(at[p]->value));
           }
           rows[row] = sum.take();
         }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/perpendicular.h"
 #include "core/rbf/basis.h"
 
 namespace sonoskin {
@@ -107,9 +108,8 @@ float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const Local
 
 Frame frameAround(const glm::vec3& normal) {
   const glm::vec3 size = glm::abs(normal);
-  glm::vec3 axis(0);
-  axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
-  const glm::vec3 u = glm::normalize(glm::cross(normal, axis));
+  const int smallest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  const glm::vec3 u = perpendicularTo(normal, {smallest, smallest});
   return {u, glm::cross(normal, u), normal};
 }
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/rbf/sorted_points.h"
 
 namespace sonoskin {
@@ -67,15 +67,12 @@ Distances offDistances(const Sites& surface, const std::vector<glm::dvec3>& norm
   const SiteCloud cloud{surface};  // the tree refers to it
   const SiteTree tree(3, cloud);
   Distances result(surface.size(), {0, 0});
-  parallelFor(
-      std::ptrdiff_t((surface.size() + kPointsPerTask - 1) / kPointsPerTask),
-      [&](std::ptrdiff_t task) {
-        const std::size_t first = std::size_t(task) * kPointsPerTask;
-        for (std::size_t i = first; i < std::min(first + kPointsPerTask, surface.size()); ++i) {
-          if (!hasOffSurface(i, options.offsetShare)) continue;
-          result[i][0] = validDistance(tree, surface, i, normals[i], options.offset);
-          result[i][1] = -validDistance(tree, surface, i, -normals[i], options.offset);
-        }
+  parallelItems(
+      surface.size(), kPointsPerTask,
+      [&](std::size_t i) {
+        if (!hasOffSurface(i, options.offsetShare)) return;
+        result[i][0] = validDistance(tree, surface, i, normals[i], options.offset);
+        result[i][1] = -validDistance(tree, surface, i, -normals[i], options.offset);
       },
       progress);
   return result;

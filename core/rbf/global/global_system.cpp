@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/rbf/global/global_kernels.h"
 
 namespace sonoskin {
@@ -87,13 +87,12 @@ glm::dvec3 gradientAt(const Kernel& kernel, const Sites& sites, const VectorRef&
 // Calls f(kernel, target) for every target, on all threads.
 template <class F>
 void forEachTarget(const RadialKernel& kernel, std::size_t count, const Progress& progress, const F& f) {
-  const auto body = [&](std::ptrdiff_t task) {
-    const std::size_t first = std::size_t(task) * kTargetsPerTask;
+  const auto body = [&](std::size_t first, std::size_t end) {
     withKernel(kernel, [&](const auto& k) {
-      for (std::size_t t = first; t < std::min(first + kTargetsPerTask, count); ++t) f(k, t);
+      for (std::size_t t = first; t < end; ++t) f(k, t);
     });
   };
-  parallelFor(std::ptrdiff_t((count + kTargetsPerTask - 1) / kTargetsPerTask), body, progress);
+  parallelBlocks(count, kTargetsPerTask, body, progress);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 
 namespace sonoskin {
 namespace {
@@ -144,14 +144,8 @@ BrickField sampleBricks(const ImplicitFunction& function, const std::vector<glm:
 
   const auto forEachNew = [&](std::size_t done, const Progress& part,
                               const std::function<void(std::size_t)>& f) {
-    const std::size_t end = field.bricks.size();
-    parallelFor(
-        std::ptrdiff_t((end - done + kBricksPerTask - 1) / kBricksPerTask),
-        [&](std::ptrdiff_t task) {
-          const std::size_t first = done + std::size_t(task) * kBricksPerTask;
-          for (std::size_t b = first; b < std::min(first + kBricksPerTask, end); ++b) f(b);
-        },
-        part);
+    parallelItems(
+        field.bricks.size() - done, kBricksPerTask, [&](std::size_t b) { f(done + b); }, part);
   };
   double fraction = 0;
   std::vector<Growth> growth;

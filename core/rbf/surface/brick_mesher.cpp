@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/iso/marching_cubes_table.h"
 
 namespace sonoskin {
@@ -84,14 +84,7 @@ class Mesher {
  private:
   template <class F>
   void forEachBrick(const Progress& progress, F&& f) const {
-    const std::size_t bricks = field_.bricks.size();
-    parallelFor(
-        std::ptrdiff_t((bricks + kBricksPerTask - 1) / kBricksPerTask),
-        [&](std::ptrdiff_t task) {
-          const std::size_t first = std::size_t(task) * kBricksPerTask;
-          for (std::size_t b = first; b < std::min(first + kBricksPerTask, bricks); ++b) f(b);
-        },
-        progress);
+    parallelItems(field_.bricks.size(), kBricksPerTask, f, progress);
   }
 
   Neighbours neighboursOf(std::size_t brick) const {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_blocks.h"
 #include "core/mesh/repair/border.h"
 #include "core/mesh/repair/clip.h"
 #include "core/rbf/compact/csrbf_function.h"
@@ -20,14 +20,11 @@ constexpr float kMarginCells = 6;
 // Calls f(brick, first vertex, last vertex) for the bricks that own vertices.
 template <class F>
 void forEachBrick(const BrickMesh& bricks, const Progress& progress, F&& f) {
-  const std::size_t count = bricks.firstVertex.size() - 1;
-  parallelFor(
-      std::ptrdiff_t((count + kBricksPerTask - 1) / kBricksPerTask),
-      [&](std::ptrdiff_t task) {
-        const std::size_t first = std::size_t(task) * kBricksPerTask;
-        for (std::size_t b = first; b < std::min(first + kBricksPerTask, count); ++b)
-          if (bricks.firstVertex[b] < bricks.firstVertex[b + 1])
-            f(b, bricks.firstVertex[b], bricks.firstVertex[b + 1]);
+  parallelItems(
+      bricks.firstVertex.size() - 1, kBricksPerTask,
+      [&](std::size_t b) {
+        if (bricks.firstVertex[b] < bricks.firstVertex[b + 1])
+          f(b, bricks.firstVertex[b], bricks.firstVertex[b + 1]);
       },
       progress);
 }
