@@ -52,6 +52,30 @@ double energy(const Directions& d, const std::vector<float>& u, double beta) {
   return sum;
 }
 
+// The gradient between eight voxels over its length, which fades where that is near kappa; none beyond the last voxels.
+TEST(CellDirections, AreTheNormalisedGradient) {
+  const Geometry g = grid({9, 8, 7}, {1, 2, 1.5});
+  std::uint64_t n = 0;
+  const auto volume = fill(g, [&](glm::dvec3) { return 0.2 * noise(n++); });
+  const double kappa = 0.05;
+  const Directions d = cellDirections(volume, kappa);
+  for (int k = 0; k < g.dims.z; ++k)
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i) {
+        glm::dvec3 gradient(0);
+        const bool isCell = i + 1 < g.dims.x && j + 1 < g.dims.y && k + 1 < g.dims.z;
+        for (int corner = 0; isCell && corner < 8; ++corner) {
+          const glm::ivec3 c(corner & 1, corner >> 1 & 1, corner >> 2);
+          gradient += 0.25 * glm::dvec3(g.axisScale()) * (2.0 * glm::dvec3(c) - 1.0) *
+                      double(volume.at(i + c.x, j + c.y, k + c.z));
+        }
+        const glm::dvec3 q = 127.0 * gradient / std::sqrt(glm::dot(gradient, gradient) + kappa * kappa);
+        const std::size_t cell = g.index(i, j, k);
+        const glm::dvec3 found(d.x[cell], d.y[cell], d.z[cell]);
+        for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(found[axis], q[axis], 0.501) << cell;
+      }
+}
+
 class TangentialOperatorTest : public ::testing::Test {
  protected:
   const Geometry geometry = grid({17, 14, 11}, {0.3, 0.3, 0.9});

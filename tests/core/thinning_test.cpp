@@ -96,7 +96,9 @@ TEST(Thinning, APlateauGivesOneSheet) {
       const double beyond = p.y < 10 ? 10 - p.y : p.y > 9 + width ? p.y - (9 + width) : 0;
       return 1 / (1 + beyond * beyond);
     });
-    const auto found = thin(u, v, {}, everywhere());
+    auto options = everywhere();
+    options.threshold = 1;  // as strong as is asked for
+    const auto found = thin(u, v, {}, options);
     EXPECT_EQ(found.size(), 100u) << width;
     for (const auto& s : found) EXPECT_EQ(s.voxel.y, 10) << width;
   }

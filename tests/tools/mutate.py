@@ -132,6 +132,11 @@ class Build:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
 
+    def has_tests(self, filter_):
+        listed = subprocess.run([str(self.program), f"--gtest_filter={filter_}", "--gtest_list_tests"], capture_output=True,
+                                text=True, check=True)
+        return "\n  " in listed.stdout
+
     def try_out(self, text, filter_, seconds):
         """"not compiled", "killed", "hung" or "survived"."""
         self.copy.write_text(text)
@@ -153,7 +158,9 @@ def describe(source, text, mutant):
 
 
 def judge(source, options):
-    """The mutants of a file that survive, as (source, line and change)."""
+    """Says which mutants of a file survive."""
+    if not (ROOT / source).is_file():
+        sys.exit(f"mutate: there is no file {source}")
     text = (ROOT / source).read_text()
     drawn = mutants(text)
     random.Random(options.seed).shuffle(drawn)
@@ -165,8 +172,8 @@ def judge(source, options):
     counts, begun = {"killed": 0, "hung": 0, "survived": 0, "not compiled": 0}, time.monotonic()
     with tempfile.TemporaryDirectory(prefix="sonoskin-mutate-") as folder:
         build = Build(options.build.resolve(), source, tests, pathlib.Path(folder))
-        if build.try_out(text, filter_, 3600) != "survived":
-            sys.exit(f"mutate: the tests of {source} fail, or do not build, without any change: {filter_}")
+        if build.try_out(text, filter_, 3600) != "survived" or not build.has_tests(filter_):
+            sys.exit(f"mutate: the tests of {source} fail, do not build, or are none, without any change: {filter_}")
         limit = 10 + 5 * build.seconds
         for mutant in drawn:
             if sum(counts.values()) - counts["not compiled"] == options.limit:
