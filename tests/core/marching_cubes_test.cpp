@@ -144,6 +144,16 @@ TEST(MarchingCubes, TheThreadCountChangesNothing) {
   EXPECT_EQ(one.triangles, five.triangles);
 }
 
+TEST(MarchingCubes, OneCellIsEnough) {
+  Geometry g;
+  g.dims = {2, 2, 2};
+  Volume<float> field(g, 1.f);
+  field.at(0, 1, 0) = -1;
+  const Mesh mesh = marchingCubes(field, 0);
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.positions.size(), 3u);
+}
+
 TEST(MarchingCubes, EmptyAndFlatGridsGiveNothing) {
   EXPECT_TRUE(marchingCubes(Volume<float>(), 0).empty());
   Geometry g;
