@@ -47,7 +47,10 @@ void Session::adopt(Opened opened) {
   name_ = opened.name;
   givesSpacing_ = opened.givesSpacing;
   phantom_ = opened.phantom;
-  runner_.cancel();
+  if (opened.isAnother)
+    runner_.forget();
+  else
+    runner_.cancel();
   results_ = {};
   made_ = {};
   meshArea_ = 0;

@@ -44,13 +44,28 @@ void Runner::submit(Request request) {
   wake_.notify_one();
 }
 
-void Runner::cancel() {
-  const std::lock_guard lock(mutex_);
+// The lock is held.
+void Runner::cancelAll() {
   if (!status_.busy) return;
   next_.reset();
   status_.busy = running_;
   status_.cancelled = true;
   sink_.cancel = true;
+}
+
+void Runner::cancel() {
+  const std::lock_guard lock(mutex_);
+  cancelAll();
+}
+
+void Runner::forget() {
+  {
+    const std::lock_guard lock(mutex_);
+    cancelAll();
+    results_.reset();
+    forgets_ = true;
+  }
+  wake_.notify_one();
 }
 
 Runner::Status Runner::status() const {
@@ -65,20 +80,22 @@ std::optional<Results> Runner::takeResults() {
 
 void Runner::work() {
   for (;;) {
-    Request request;
+    std::optional<Request> request;
+    bool forgets = false;
     {
       std::unique_lock lock(mutex_);
       running_ = false;
       status_.busy = next_.has_value();
-      wake_.wait(lock, [this] { return stop_ || next_; });
+      wake_.wait(lock, [this] { return stop_ || next_ || forgets_; });
       if (stop_) return;
-      request = std::move(*next_);
-      next_.reset();
+      forgets = std::exchange(forgets_, false);
+      request = std::exchange(next_, std::nullopt);
       sink_.cancel = false;
-      running_ = status_.busy = true;
+      running_ = status_.busy = request.has_value();
       status_.fraction = 0;
     }
-    runRequest(request);
+    if (forgets) pipeline_.forget();
+    if (request) runRequest(*request);
   }
 }
 

@@ -37,11 +37,14 @@ class Runner {
 
   void submit(Request request);
   void cancel();
+  // forget: cancels, and gives back the memory of all results before anything else is done: another document opens.
+  void forget();
   Status status() const;
   // takeResults: the newest results that were not taken yet (a coarse one, then the full one).
   std::optional<Results> takeResults();
 
  private:
+  void cancelAll();
   void work();
   void runRequest(const Request& request);
 
@@ -52,7 +55,7 @@ class Runner {
   std::optional<Results> results_;
   Status status_;
   ProgressSink sink_;
-  bool stop_ = false, running_ = false;
+  bool stop_ = false, running_ = false, forgets_ = false;
   std::thread worker_;
 };
 

@@ -29,8 +29,8 @@ struct Edge {
   float length, cosine;
 };
 
-// Looked: the voxels that were looked at.
-struct Looked {
+// VoxelSample: the voxels that were looked at.
+struct VoxelSample {
   std::size_t dark = 0;
   double roughness = 0;
   std::vector<Edge> edges;  // one for each
@@ -41,24 +41,24 @@ float roughnessAt(const float* v, std::ptrdiff_t row, std::ptrdiff_t plane) {
   return std::abs(*v - (v[1] + v[-1] + v[row] + v[-row] + v[plane] + v[-plane]) / 6);
 }
 
-void lookAt(const EvidenceInput& in, const glm::ivec3& voxel, Looked& looked) {
+void sampleVoxel(const EvidenceInput& in, const glm::ivec3& voxel, VoxelSample& sample) {
   const Geometry& g = in.lowPassed.geometry;
   const std::ptrdiff_t row = g.dims.x, plane = row * g.dims.y;
   const std::size_t index = g.index(voxel.x, voxel.y, voxel.z);
   const glm::vec3 gradient = gradientAt(in.lowPassed, g.axisScale(), index);
   const glm::vec3 along(glm::transpose(g.direction) * in.beam.directionAt(g.toWorld(glm::dvec3(voxel))));
   const float length = glm::length(gradient);
-  looked.edges.push_back({length, length > 0 ? glm::dot(gradient, along) / length : 0});
-  looked.roughness += double(roughnessAt(in.recorded.data.data() + index, row, plane));
-  looked.dark += in.lowPassed.data[index] < in.levels.between(0.5);
+  sample.edges.push_back({length, length > 0 ? glm::dot(gradient, along) / length : 0});
+  sample.roughness += double(roughnessAt(in.recorded.data.data() + index, row, plane));
+  sample.dark += in.lowPassed.data[index] < in.levels.between(0.5);
 }
 
-Looked lookAround(const EvidenceInput& in, const Progress& progress) {
+VoxelSample sampleView(const EvidenceInput& in, const Progress& progress) {
   const Geometry& g = in.lowPassed.geometry;
   const int stride = std::max(1, int(std::cbrt(double(g.voxels()) / kVoxels)));
   const int slices = std::max(0, (g.dims.z - 2 + stride - 1) / stride);
   const float margin = kMargin * float(g.minSpacing());
-  std::vector<Looked> perSlice{std::size_t(slices)};
+  std::vector<VoxelSample> perSlice{std::size_t(slices)};
   parallelFor(
       slices,
       [&](std::ptrdiff_t slice) {
@@ -67,12 +67,12 @@ Looked lookAround(const EvidenceInput& in, const Progress& progress) {
           for (int i = 1; i < g.dims.x - 1; i += stride) {
             const glm::vec3 position = glm::vec3(i, j, k) * glm::vec3(g.spacing);
             if (in.view.contains(position) && in.view.depth(position) >= margin)
-              lookAt(in, {i, j, k}, perSlice[std::size_t(slice)]);
+              sampleVoxel(in, {i, j, k}, perSlice[std::size_t(slice)]);
           }
       },
       progress);
-  Looked all;
-  for (const Looked& some : perSlice) {  // in order, so that sums do not depend on the threads
+  VoxelSample all;
+  for (const VoxelSample& some : perSlice) {  // in order, so that sums do not depend on the threads
     all.dark += some.dark;
     all.roughness += some.roughness;
     all.edges.insert(all.edges.end(), some.edges.begin(), some.edges.end());
@@ -94,13 +94,13 @@ double shareSideways(std::vector<Edge>& edges) {
 }
 
 void weighVoxels(const EvidenceInput& in, ScanEvidence& evidence, const Progress& progress) {
-  Looked looked = lookAround(in, progress);
-  if (looked.edges.empty()) return;
-  const double count = double(looked.edges.size());
-  evidence.hasEdges = std::ranges::any_of(looked.edges, [](const Edge& e) { return e.length > 0; });
-  evidence.noise = looked.roughness / count;
-  evidence.dark = double(looked.dark) / count;
-  evidence.sideways = shareSideways(looked.edges);
+  VoxelSample sample = sampleView(in, progress);
+  if (sample.edges.empty()) return;
+  const double count = double(sample.edges.size());
+  evidence.hasEdges = std::ranges::any_of(sample.edges, [](const Edge& e) { return e.length > 0; });
+  evidence.noise = sample.roughness / count;
+  evidence.dark = double(sample.dark) / count;
+  evidence.sideways = shareSideways(sample.edges);
 }
 
 // The share of points with fluid close before them, of those with anything recorded there.

@@ -1,10 +1,8 @@
 #include "core/pipeline/stage_keys.h"
 
 #include "core/mesh/repair/clean.h"
-#include "core/pipeline/kept_parts.h"
 #include "core/pipeline/parameter_key.h"
 
-// The number behind a stage's name is that of its code: a stage whose code changes its results gets another.
 namespace sonoskin {
 namespace {
 
@@ -16,75 +14,92 @@ Key keyOf(const char* stage, const Key& input, const Options& options) {
   return hasher.key();
 }
 
-Key preparedKey(const Key& input, const Parameters& p) {
-  Hasher hasher("prepare 3");
-  hasher.add(input).add(p.classification.lowPass).add(p.classification.directionScale);
+}  // namespace
+
+Key enhancedKey(const Key& scan, const EnhancementOptions& options) {
+  return options.method == EnhancementMethod::none ? scan : keyOf("enhanced", scan, options);
+}
+
+Key coarserKey(const Key& volume) { return Hasher("coarser").add(volume).key(); }
+
+Key preparedKey(const Key& volume, const Parameters& p) {
+  Hasher hasher("prepared");
+  hasher.add(volume).add(p.classification.lowPass).add(p.classification.directionScale);
   addOptions(hasher, p.scan);
   return hasher.key();
 }
 
+Key classifiedKey(const Key& prepared, const ClassificationOptions& options, bool live) {
+  return keyOf(live ? "classified live" : "classified", prepared, options);
+}
+
+Key pointsKey(const Key& classified, const Key& erased, const Parameters& p) {
+  const Key region = keyOf("region", erased, p.region);
+  return keyOf("points", Hasher("in").add(classified).add(region).key(), p.surface);
+}
+
+Key evidenceKey(const Key& points) { return Hasher("evidence").add(points).key(); }
+
 Key faceKey(const Key& points, const FaceOptions& options) {
   if (!options.find) return {};
-  return Hasher("face 1").add(points).add(options.headHeight).key();
+  return Hasher("face").add(points).add(options.headHeight).key();
 }
 
 Key fitKey(const Key& points, const Parameters& p) {
-  if (p.reconstruction.method == ReconstructionMethod::global) return keyOf("fit global 1", points, p.global);
-  return keyOf("fit 2", points, p.reconstruction);
+  if (p.reconstruction.method == ReconstructionMethod::global) return keyOf("global fit", points, p.global);
+  return keyOf("fit", points, p.reconstruction);
 }
 
 Key piecesKey(const Key& fit, const MeshOptions& mesh) {
-  Hasher hasher("surface 3");
+  Hasher hasher("pieces");
   hasher.add(fit).add(mesh.resolution).add(mesh.cell).add(mesh.support).add(mesh.maxGap);
   return hasher.add(mesh.density).add(mesh.narrowest).add(mesh.fillHoles).key();
 }
 
 Key partsKey(const Key& pieces, const MeshOptions& mesh) {
-  Hasher hasher("parts 1");
+  Hasher hasher("parts");
   hasher.add(pieces);
   addPlaces(hasher, mesh.partsCut);
   return hasher.key();
 }
 
-// Whole pieces do not depend on the face.
-Key keptKey(const StageKeys& keys, const Parameters& p, const Precision& precision) {
+Key keptKey(const Key& surface, const Key& face, const Parameters& p) {
   const MeshOptions& mesh = p.mesh;
-  Hasher hasher("piece 4");
+  Hasher hasher("kept");
   hasher.add(mesh.piece).add(mesh.companions).add(mesh.pieceIndex);
   hasher.add(std::span<const double>(mesh.piecePoint)).add(mesh.parts);
   addPlaces(hasher, mesh.partsAdd);
   addPlaces(hasher, mesh.partsDrop);
-  if (!cutsParts(mesh)) return hasher.add(keys.pieces).key();
-  hasher.add(keys.parts).add(keys.face).add(precision.face);
+  hasher.add(surface);
+  if (!cutsParts(mesh)) return hasher.key();
+  hasher.add(face);
   addOptions(hasher, p.face);
   return hasher.key();
 }
 
 Key cleanKey(const Key& kept, const MeshOptions& mesh) {
   if (!needsCleaning(mesh)) return kept;
-  Hasher hasher("clean 2");
+  Hasher hasher("clean");
   hasher.add(kept).add(mesh.minArea).add(mesh.fillHoles).add(mesh.smoothing).add(mesh.triangles);
   return hasher.key();
 }
 
-}  // namespace
+Key printKey(const Key& mesh, const PrintOptions& options) { return keyOf("print", mesh, options); }
 
-StageKeys stageKeys(const Key& scan, const Key& erased, const Parameters& p, const Precision& precision) {
+StageKeys stageKeys(const Key& scan, const Key& erased, const Parameters& p) {
   StageKeys keys;
-  const bool enhances = p.enhancement.method != EnhancementMethod::none;
-  keys.enhanced = enhances ? keyOf("enhance 1", scan, p.enhancement) : scan;
+  keys.enhanced = enhancedKey(scan, p.enhancement);
   keys.prepared = preparedKey(keys.enhanced, p);
-  const char* classification = precision.solved ? "classify 2" : "classify live 1";
-  keys.classified = keyOf(classification, keys.prepared, p.classification);
-  const Key region = keyOf("region", erased, p.region);
-  keys.points = keyOf("points 3", Hasher("in").add(keys.classified).add(region).key(), p.surface);
+  keys.classified = classifiedKey(keys.prepared, p.classification);
+  keys.points = pointsKey(keys.classified, erased, p);
+  keys.evidence = evidenceKey(keys.points);
   keys.face = faceKey(keys.points, p.face);
   keys.fit = fitKey(keys.points, p);
   keys.pieces = piecesKey(keys.fit, p.mesh);
   keys.parts = partsKey(keys.pieces, p.mesh);
-  keys.kept = keptKey(keys, p, precision);
+  keys.kept = keptKey(cutsParts(p.mesh) ? keys.parts : keys.pieces, keys.face, p);
   keys.mesh = cleanKey(keys.kept, p.mesh);
-  keys.print = keyOf("print 1", keys.mesh, p.print);
+  keys.print = printKey(keys.mesh, p.print);
   return keys;
 }
 

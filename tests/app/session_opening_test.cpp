@@ -152,6 +152,34 @@ TEST(Session, AnotherVolumeHasNoCropBoxAndNothingErased) {
   EXPECT_FALSE(session.canUndo());
 }
 
+// The older document's volume and all that was made of it: its memory is the next one's.
+TEST(Session, AnotherDocumentTakesTheOldersPlace) {
+  Parameters small = tinyPhantom();
+  small.mesh.resolution = 60;
+  small.surface.minClusterArea = 20;
+  Session session(small);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  session.reconstruct();
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.results().mesh);
+  const std::weak_ptr<const Volume<float>> volume = session.scan().volume;
+  const std::weak_ptr<const Volume<float>> classified = session.results().classified;
+  const std::weak_ptr<const SurfacePoints> points = session.results().points;
+  const std::weak_ptr<const Mesh> mesh = session.results().mesh;
+  small = session.parameters();
+  small.phantom.seed = 2;
+  session.edit(small);
+  session.openPhantom();
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.results().points);
+  EXPECT_FALSE(session.results().mesh);
+  EXPECT_TRUE(volume.expired());
+  EXPECT_TRUE(classified.expired());
+  EXPECT_TRUE(points.expired());
+  EXPECT_TRUE(mesh.expired());
+}
+
 TEST(Session, TellsWhatCannotBeOpenedAndKeepsWhatItHas) {
   OpenSession session;
   const Key key = session.scan().key;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -284,6 +286,43 @@ TEST_F(PipelineTest, PreviewOfTheSkewSystemIsItsClosedForm) {
   const Results skew = pipeline.preview(scan, parameters, Preview::half);
   parameters.classification.formulation = Formulation::thesisClosed;
   EXPECT_EQ(skew.classified->data, pipeline.preview(scan, parameters, Preview::half).classified->data);
+}
+
+// However many answers a slider has had, what is remembered keeps within its budget, and going back to what was asked for
+// costs nothing.
+TEST_F(PipelineTest, RemembersWithinItsBudget) {
+  std::size_t budget = 4 * scan.volume->data.size() * sizeof(float);  // and what was asked for
+  for (const StageReport& stage : pipeline.run(scan, parameters, Goal::mesh).stages) budget += stage.bytes;
+  Pipeline bounded(budget);
+  std::weak_ptr<const Volume<float>> asked = bounded.run(scan, parameters, Goal::mesh).classified;
+  std::vector<std::weak_ptr<const Volume<float>>> answers;
+  Parameters changed = parameters;
+  for (int n = 0; n < 8; ++n) {
+    changed.classification.gamma *= 1.05;
+    answers.push_back(bounded.run(scan, changed, Goal::points).classified);
+    ASSERT_LE(std::ranges::count_if(answers, [](const auto& a) { return !a.expired(); }), 4);
+  }
+  EXPECT_TRUE(answers.front().expired());
+  EXPECT_FALSE(answers.back().expired());
+  EXPECT_FALSE(asked.expired());
+  EXPECT_TRUE(computed(bounded.run(scan, parameters, Goal::mesh)).empty());
+
+  Pipeline small(1);  // no room for anything but the run itself
+  Results once = small.run(scan, parameters, Goal::mesh);
+  EXPECT_TRUE(computed(small.run(scan, parameters, Goal::mesh)).empty());
+  changed.enhancement.method = EnhancementMethod::diffusion;  // nothing of it is used any more
+  asked = once.classified;
+  once = small.run(scan, changed, Goal::mesh);
+  EXPECT_TRUE(asked.expired());
+}
+
+TEST_F(PipelineTest, ForgetsWhenItIsTold) {
+  std::weak_ptr<const Volume<float>> classified = pipeline.run(scan, parameters, Goal::points).classified;
+  std::weak_ptr<const Volume<float>> coarse = pipeline.preview(scan, parameters, Preview::half).classified;
+  ASSERT_FALSE(classified.expired() || coarse.expired());
+  pipeline.forget();
+  EXPECT_TRUE(classified.expired() && coarse.expired());
+  EXPECT_FALSE(computed(pipeline.run(scan, parameters, Goal::points)).empty());
 }
 
 // What a slider's answer left out, the face, is not what a mesh that is asked for later is made from.

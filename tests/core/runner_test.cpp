@@ -126,6 +126,27 @@ TEST(Runner, TellsWhyARequestFailed) {
   EXPECT_EQ(runner.status().error, "") << "the next one begins without it";
 }
 
+TEST(Runner, ForgetsTheResultsOfAnotherDocument) {
+  Runner runner;
+  auto first = request();
+  first.previewFirst = true;
+  const std::weak_ptr<const Volume<float>> volume = first.scan.volume;
+  runner.submit(std::move(first));
+  std::vector<std::weak_ptr<const Volume<float>>> older;
+  for (const Results& results : untilIdle(runner)) older.push_back(results.classified);
+  ASSERT_FALSE(older.empty());
+  EXPECT_FALSE(older.back().expired()) << "somebody may come back to it";
+  runner.submit(request());  // still waits, or runs, when the other document opens
+  runner.forget();
+  EXPECT_FALSE(runner.takeResults());
+  runner.submit(request(44));
+  const auto results = untilIdle(runner);
+  ASSERT_FALSE(results.empty());
+  EXPECT_EQ(results.back().classified->geometry.dims, glm::ivec3(44));
+  for (const auto& result : older) EXPECT_TRUE(result.expired());
+  EXPECT_TRUE(volume.expired());
+}
+
 TEST(Runner, EndsWhileItWorks) {
   auto slow = request(128);  // half a minute
   slow.goal = Goal::mesh;

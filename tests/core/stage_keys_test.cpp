@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/scan_evidence.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -25,7 +26,7 @@ Scan ballScan() {
 // Outcome: what a run made, as fingerprints, beside the keys that its parameters have.
 struct Outcome {
   StageKeys keys;
-  Key classified, points, face, pieces, mesh, print;
+  Key classified, points, evidence, face, pieces, mesh, print;
   std::string error;
 };
 
@@ -45,6 +46,12 @@ Key of(const FaceFit* face) {
   return hasher.addBytes(&face->up, sizeof face->up).addBytes(&face->front, sizeof face->front).key();
 }
 
+Key of(const ScanEvidence& e) {
+  Hasher hasher("evidence");
+  hasher.add(e.hasEdges).add(e.noise).add(e.dark).add(e.sideways).add(e.clear).add(e.largest);
+  return hasher.add(e.rise).add(e.width).key();
+}
+
 Outcome outcomeOf(const Scan& scan, const Parameters& parameters) {
   Outcome outcome;
   outcome.keys = stageKeys(scan.key, scan.erasedKey, parameters);
@@ -57,7 +64,9 @@ Outcome outcomeOf(const Scan& scan, const Parameters& parameters) {
     points.addBytes(r.points->positions.data(), r.points->positions.size() * sizeof(glm::vec3));
     outcome.points =
         points.addBytes(r.points->normals.data(), r.points->normals.size() * sizeof(glm::vec3)).key();
+    outcome.evidence = of(*r.evidence);
     outcome.face = of(r.face.get());
+    EXPECT_TRUE(r.isFinal) << "the stages make the same keys as stageKeys()";
     Hasher pieces("pieces");
     for (const Mesh& piece : *r.pieces) pieces.add(of(&piece));
     outcome.pieces = pieces.key();
@@ -81,6 +90,7 @@ void expectHonest(const Outcome& a, const Outcome& b, const std::string& what) {
   };
   check(a.keys.classified, b.keys.classified, a.classified, b.classified, "the classified volume");
   check(a.keys.points, b.keys.points, a.points, b.points, "the points");
+  check(a.keys.evidence, b.keys.evidence, a.evidence, b.evidence, "the evidence");
   check(a.keys.face, b.keys.face, a.face, b.face, "the face");
   check(a.keys.pieces, b.keys.pieces, a.pieces, b.pieces, "the surface");
   check(a.keys.mesh, b.keys.mesh, a.mesh, b.mesh, "the mesh");
@@ -195,12 +205,13 @@ TEST(StageKeys, WhatIsNotUsedIsNotPartOfThem) {
 }
 
 TEST(StageKeys, ShortCutsHaveKeysOfTheirOwn) {
-  const Key scan = Hasher("scan").key();
-  const StageKeys final = stageKeys(scan, {}, {}), live = stageKeys(scan, {}, {}, {.solved = false}),
-                  faceless = stageKeys(scan, {}, {}, {.face = false});
-  EXPECT_NE(live.classified, final.classified);
-  EXPECT_EQ(faceless.points, final.points);
-  EXPECT_NE(faceless.mesh, final.mesh);
+  const Parameters p;
+  const StageKeys final = stageKeys(Hasher("scan").key(), {}, p);
+  const Key live = classifiedKey(final.prepared, p.classification, true);
+  EXPECT_NE(live, final.classified);
+  EXPECT_NE(pointsKey(live, {}, p), final.points);
+  EXPECT_EQ(keptKey(final.parts, final.face, p), final.kept);
+  EXPECT_NE(keptKey(final.parts, {}, p), final.kept) << "chosen without a face";
 }
 
 }  // namespace
