@@ -30,13 +30,21 @@ std::size_t faceOf(const std::vector<PartVerdict>& verdicts) {
   return std::size_t(face - verdicts.begin());
 }
 
+// DrawnLine: a line over a surface, its places from 0 to 1.
+struct DrawnLine {
+  const Results& results;
+  const glm::vec3& eye;
+  const RayAt& rayAt;
+
+  std::optional<PartPick> at(float place) const { return pickPart(results, eye, rayAt(place)); }
+};
+
 // Where along a line it leaves a part: between a place on it and one beyond.
-float edgeBetween(const Results& results, const glm::vec3& eye, const RayAt& rayAt, std::uint32_t part,
-                  float on, float off) {
+float edgeBetween(const DrawnLine& line, std::uint32_t part, float on, float off) {
   constexpr int kHalvings = 4;
   for (int i = 0; i < kHalvings; ++i) {
     const float middle = 0.5f * (on + off);
-    const auto pick = pickPart(results, eye, rayAt(middle));
+    const auto pick = line.at(middle);
     (pick && pick->part == part ? on : off) = middle;
   }
   return on;
@@ -85,10 +93,11 @@ MeshOptions faceAlone(const Results& results, const MeshOptions& options) {
 
 std::optional<Stroke> strokeAcross(const Results& results, const glm::vec3& eye, const RayAt& rayAt) {
   constexpr int kSamples = 8;
+  const DrawnLine line{results, eye, rayAt};
   std::vector<std::optional<PartPick>> picks;
   std::map<std::uint32_t, int> counts;
   for (int i = 0; i <= kSamples; ++i) {
-    picks.push_back(pickPart(results, eye, rayAt(float(i) / kSamples)));
+    picks.push_back(line.at(float(i) / kSamples));
     if (picks.back()) ++counts[picks.back()->part];
   }
   if (counts.empty()) return std::nullopt;
@@ -100,9 +109,9 @@ std::optional<Stroke> strokeAcross(const Results& results, const glm::vec3& eye,
   while (!isOn(first)) ++first;
   while (!isOn(last)) --last;
   const auto at = [](int i) { return float(i) / kSamples; };
-  const float from = first == 0 ? 0 : edgeBetween(results, eye, rayAt, part, at(first), at(first - 1));
-  const float to = last == kSamples ? 1 : edgeBetween(results, eye, rayAt, part, at(last), at(last + 1));
-  const auto begin = pickPart(results, eye, rayAt(from)), end = pickPart(results, eye, rayAt(to));
+  const float from = first == 0 ? 0 : edgeBetween(line, part, at(first), at(first - 1));
+  const float to = last == kSamples ? 1 : edgeBetween(line, part, at(last), at(last + 1));
+  const auto begin = line.at(from), end = line.at(to);
   if (!begin || !end || begin->place == end->place) return std::nullopt;
   return Stroke{begin->place, end->place, eye};
 }

@@ -5,55 +5,21 @@
 
 #include "core/base/error_text.h"
 #include "core/base/log.h"
-#include "core/pipeline/check_ranges.h"
 #include "core/pipeline/face_use.h"
-#include "core/pipeline/phantom_landmarks.h"
-#include "core/pipeline/scan_doubts.h"
 #include "core/pipeline/stage_keys.h"
 
 namespace sonoskin {
 
-namespace {
+Session::Session(const Parameters& parameters) : document_(parameters) {}
 
-// Whoever sets parameters, an editor, a recipe or what a window was started with: what is drawn needs numbers within their
-// ranges, and beams, at any time.
-Parameters drawable(Parameters given, const ScanOptions& before) {
-  given = withinRanges(std::move(given));
-  given.scan = sidesApart(given.scan, before);
-  return given;
-}
-
-}  // namespace
-
-Session::Session(const Parameters& parameters)
-    : parameters_(drawable(parameters, {})), history_({parameters_}) {}
-
-// A crop box and what was erased belong to their volume: for one of other dimensions both begin anew, and with them
-// what undo goes back to. So do landmarks, for any other scan.
 void Session::adopt(Opened opened) {
-  const Scan& scan = opened.scan;
-  const bool resized = hasScan() && scan.volume->geometry.dims != scan_.volume->geometry.dims;
-  const bool other = hasScan() && !(scan.key == scan_.key);
-  const Key before = parametersKey(parameters_);
-  if (other || !hasLandmarks(parameters_.landmarks)) parameters_.landmarks = opened.landmarks;
-  if (opened.isAnother && hasScan()) parameters_.scan.spacing = {};
-  if (resized) parameters_.region = {};
-  const bool changed = !(parametersKey(parameters_) == before);
-  const bool anew = resized || changed || erased_.hasStrokes() || scan.erased;
-  erased_.reset(scan.volume->geometry);
-  if (scan.erased) erased_.become(*scan.erased);
-  if (anew) history_ = History<Version>({parameters_, erased_.strokes()});
-  scan_ = std::move(opened.scan);
-  name_ = opened.name;
-  givesSpacing_ = opened.givesSpacing;
-  phantom_ = opened.phantom;
+  document_.adopt(opened, frame_.scan);
   if (opened.isAnother)
     runner_.forget();
   else
     runner_.cancel();
-  results_ = {};
-  made_ = {};
-  meshArea_ = 0;
+  frame_ = {};
+  frame_.scan = std::move(opened.scan);
   warned_.clear();
   ++revision_;
   submit(Goal::classified);
@@ -61,14 +27,14 @@ void Session::adopt(Opened opened) {
 
 // ---- parameters
 
-void Session::edit(const Parameters& parameters) { show(parameters); }
+void Session::edit(const Parameters& parameters) {
+  change([&](Document& document) { document.change(parameters); });
+}
 
-// Makes these the parameters; what is shown live is made anew where it depends on what changed.
-void Session::show(const Parameters& given) {
-  const Parameters parameters = drawable(given, parameters_.scan);
-  const StageKeys before = stageKeys(scan_.key, scan_.erasedKey, parameters_);
-  parameters_ = parameters;
-  const StageKeys after = currentKeys();
+void Session::change(const std::function<void(Document&)>& edit) {
+  const StageKeys before = stageKeys(frame_.scan.key, frame_.scan.erasedKey, document_.parameters);
+  edit(document_);
+  const StageKeys after = keysOf(document_, frame_);
   if (!(after.classified == before.classified)) {
     update(Goal::classified);
   } else if (!(after.points == before.points)) {
@@ -81,7 +47,8 @@ void Session::show(const Parameters& given) {
 
 // Only the adaptive method is fast enough for that.
 bool Session::mayFollow() const {
-  return follows_ && results_.mesh && parameters_.reconstruction.method == ReconstructionMethod::adaptive;
+  return follows_ && frame_.results.mesh &&
+         document_.parameters.reconstruction.method == ReconstructionMethod::adaptive;
 }
 
 void Session::followParameters(bool follow) {
@@ -100,55 +67,34 @@ void Session::update(Goal goal) {
   }
 }
 
-void Session::commitEdit() {
-  erased_.endStroke();
-  const Version& last = history_.current();
-  const bool same = parametersKey(parameters_) == parametersKey(last.parameters);
-  if (!same || erased_.strokes() != last.strokes) history_.push({parameters_, erased_.strokes()});
-}
-
-void Session::showVersion() {
-  erased_.goTo(history_.current().strokes);
-  show(history_.current().parameters);
-}
+void Session::commitEdit() { document_.commit(); }
 
 void Session::editParts(const MeshOptions& mesh) {
-  Parameters parameters = parameters_;
+  Parameters parameters = document_.parameters;
   parameters.mesh = mesh;
-  const Key before = currentKeys().mesh;
+  const Key before = keysOf(document_, frame_).mesh;
   edit(parameters);
   commitEdit();
-  if (!(currentKeys().mesh == before) && results_.mesh && !mayFollow()) update(Goal::surface);
+  const bool differs = !(keysOf(document_, frame_).mesh == before);
+  if (differs && frame_.results.mesh && !mayFollow()) update(Goal::surface);
 }
 
-void Session::undo() {
-  commitEdit();
-  history_.undo();
-  showVersion();
-}
+void Session::undo() { change(&Document::undo); }
 
-void Session::redo() {
-  history_.redo();
-  showVersion();
-}
+void Session::redo() { change(&Document::redo); }
 
 // ---- erasing
 
 void Session::erase(const Brush& brush) {
-  if (hasScan() && erased_.paint(brush)) update(Goal::points);
+  if (hasScan() && document_.erased.paint(brush)) update(Goal::points);
 }
 
 void Session::clearErased() {
-  erased_.clear();
-  show(parameters_);
+  change([](Document& document) { document.erased.clear(); });
   commitEdit();
 }
 
 // ---- results
-
-bool Session::meshIsCurrent() const { return results_.mesh && made_.mesh == currentKeys().mesh; }
-
-StageKeys Session::currentKeys() const { return stageKeys(scan_.key, erased_.key(), parameters_); }
 
 DocumentState Session::state() const {
   DocumentFacts facts;
@@ -158,7 +104,7 @@ DocumentState Session::state() const {
   facts.saving = saver_.status().busy;
   facts.stopped = stopped_.has_value();
   facts.failed = failed_;
-  facts.hasMesh = results_.mesh != nullptr;
+  facts.hasMesh = frame_.results.mesh != nullptr;
   facts.meshIsCurrent = meshIsCurrent();
   facts.meshIsFinal = meshIsFinal();
   return stateOf(facts);
@@ -169,7 +115,8 @@ void Session::resume() {
 }
 
 bool Session::classifiedIsCoarse() const {
-  return results_.classified && results_.classified->geometry.dims != scan_.volume->geometry.dims;
+  const auto& classified = frame_.results.classified;
+  return classified && classified->geometry.dims != frame_.scan.volume->geometry.dims;
 }
 
 void Session::submit(Goal goal) {
@@ -179,12 +126,12 @@ void Session::submit(Goal goal) {
   failed_ = false;
   answerOwed_ = goal != Goal::mesh;
   request_ = goal;
-  scan_.erased = erased_.snapshot();
-  scan_.erasedKey = erased_.key();
-  requested_ = {recipeParameters(), scan_.erased, currentKeys().mesh};
-  Parameters wanted = parameters_;
+  frame_.scan.erased = document_.erased.snapshot();
+  frame_.scan.erasedKey = document_.erased.key();
+  requested_ = {recipeParameters(document_), frame_.scan.erased, keysOf(document_, frame_).mesh};
+  Parameters wanted = document_.parameters;
   wanted.print.form = PrintForm::none;  // a solid is made when it is saved
-  runner_.submit({scan_, wanted, goal, goal == Goal::classified});
+  runner_.submit({frame_.scan, wanted, goal, goal == Goal::classified});
 }
 
 void Session::reconstruct() { submit(Goal::mesh); }
@@ -198,38 +145,18 @@ void Session::cancel() {
   }
 }
 
-// A coarse result holds only the classification; what it lacks stays as it was.
 const FaceFit* Session::face() const {
-  return isCertain(results_.face.get(), parameters_.face) ? results_.face.get() : nullptr;
+  const FaceFit* face = frame_.results.face.get();
+  return isCertain(face, document_.parameters.face) ? face : nullptr;
 }
 
 void Session::takeResults() {
   std::optional<Results> fresh = runner_.takeResults();
   if (!fresh) return;
   answerOwed_ = false;
-  if (fresh->mesh) {
-    made_ = requested_;
-    made_.isFinal = fresh->isFinal;
-    meshArea_ = surfaceArea(*fresh->mesh);
-    if (request_ == Goal::mesh) ++reconstructions_;
-  } else {
-    fresh->mesh = results_.mesh;
-    fresh->pieces = results_.pieces;
-    fresh->parts = results_.parts;
-    fresh->verdicts = results_.verdicts;
-    fresh->centres = results_.centres;
-  }
-  if (!fresh->thinned) fresh->thinned = results_.thinned;
-  if (!fresh->points) {
-    fresh->points = results_.points;
-    fresh->edge = results_.edge;
-  }
-  if (!fresh->face) fresh->face = results_.face;  // sliders do not move it
-  if (!fresh->evidence) fresh->evidence = results_.evidence;
-  if (fresh->evidence)
-    fresh->warnings = doubtsOf(scan_, *fresh->evidence, fresh->face.get(), parameters_.face);
-  tellWarnings(fresh->warnings, request_ == Goal::mesh);
-  results_ = std::move(*fresh);
+  if (fresh->mesh && request_ == Goal::mesh) ++reconstructions_;
+  takeIn(frame_, std::move(*fresh), requested_, document_.parameters.face);
+  tellWarnings(frame_.results.warnings, request_ == Goal::mesh);
   ++revision_;
 }
 

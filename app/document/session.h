@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/document/document.h"
 #include "app/document/document_state.h"
-#include "app/document/erased_parts.h"
-#include "app/document/history.h"
+#include "app/document/frame.h"
 #include "app/document/worker.h"
 #include "core/io/image.h"
 #include "core/io/textured_mesh_writer.h"
@@ -33,9 +33,9 @@ struct Activity {
   std::string what;
 };
 
-// Session: the document: a scan, its parameters with their history, and what was made of them. It keeps the
-// results up to date in the background: after every change first a coarse classification, then the full one,
-// then the surface points, and once there was a surface that too. Knows no interface and no OpenGL.
+// Session: an open document and the frame of it that is looked at. It keeps the frame's results up to date in the
+// background: after every change of the document first a coarse classification, then the full one, then the surface
+// points, and once there was a surface that too. Knows no interface and no OpenGL.
 //   threads  one; nothing here waits
 class Session {
  public:
@@ -46,28 +46,29 @@ class Session {
   void openFile(const std::filesystem::path& path);
   void openPhantom();
   // givesSpacing: whether the scan's own file does; otherwise scan.spacing is its spacing.
-  bool givesSpacing() const { return givesSpacing_; }
-  bool hasScan() const { return scan_.volume != nullptr; }
-  const Scan& scan() const { return scan_; }
-  Beam beam() const { return beamOf(scan_, parameters_.scan); }
-  const std::string& name() const { return name_; }
+  bool givesSpacing() const { return document_.givesSpacing; }
+  bool hasScan() const { return frame_.scan.volume != nullptr; }
+  const Scan& scan() const { return frame_.scan; }
+  Beam beam() const { return beamOf(frame_.scan, document_.parameters.scan); }
+  const std::string& name() const { return document_.name; }
 
   // Parameters. edit() is what a slider does while it moves; commitEdit() when it is let go makes the step
   // that undo() takes back.
-  const Parameters& parameters() const { return parameters_; }
+  const Parameters& parameters() const { return document_.parameters; }
   void edit(const Parameters& parameters);
   void commitEdit();
   // editParts: other parts of the surface, as one step for undo; the mesh follows whatever followsParameters() says.
   void editParts(const MeshOptions& mesh);
-  bool canUndo() const { return history_.canUndo(); }
-  bool canRedo() const { return history_.canRedo(); }
+  bool canUndo() const { return document_.history.canUndo(); }
+  bool canRedo() const { return document_.history.canRedo(); }
   void undo();
   void redo();
   void loadRecipe(const std::filesystem::path& path);
 
   // Erasing. erase() is what the eraser does while it moves; commitEdit() when it is let go makes the step that
   // undo() takes back. Loading and clearing are steps of their own.
-  const ErasedParts& erased() const { return erased_; }
+  //   errors  Error: there is nothing to erase from, or nothing erased to save; what is wrong with a file is a message
+  const ErasedParts& erased() const { return document_.erased; }
   void erase(const Brush& brush);
   void clearErased();
   void loadErased(const std::filesystem::path& path);
@@ -78,26 +79,28 @@ class Session {
   void resume();
 
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
-  const Results& results() const { return results_; }
-  bool meshIsCurrent() const;
+  const Results& results() const { return frame_.results; }
+  bool meshIsCurrent() const { return sonoskin::meshIsCurrent(document_, frame_); }
   // warnings: why the surface may not be skin, or not in mm; a sentence each. Each is logged once, and again when
   // reconstruct() was asked for.
-  const std::vector<std::string>& warnings() const { return results_.warnings; }
+  const std::vector<std::string>& warnings() const { return frame_.results.warnings; }
   // face: where the face is, if it is certain; else null.
   const FaceFit* face() const;
   // meshIsFinal: whether reconstruct() would make the same from the mesh's parameters.
-  bool meshIsFinal() const { return results_.mesh && made_.isFinal; }
+  bool meshIsFinal() const { return frame_.results.mesh && frame_.made.isFinal; }
   // Whether the mesh, once there is one, is made again when parameters change.
   bool followsParameters() const { return follows_; }
   void followParameters(bool follow);
   bool classifiedIsCoarse() const;
-  double meshArea() const { return meshArea_; }  // mm^2
+  double meshArea() const { return frame_.meshArea; }  // mm^2
   void reconstruct();
   void cancel();
 
   // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json"): the one that makes the same surface again, even
   // where the parameters have changed since it was made. A surface that is older than them, or not final, is saved with a
   // warning.
+  //   errors  Error: there is no surface, or what is erased has too many runs for a recipe; what goes wrong while it is
+  //           written is a message
   void saveMesh(const std::filesystem::path& path);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
@@ -121,23 +124,6 @@ class Session {
   std::uint64_t reconstructions() const { return reconstructions_; }
 
  private:
-  // Opened: a scan, what it is called, and where the parts of its face are, if that is known.
-  struct Opened {
-    Scan scan;
-    std::string name;
-    LandmarkOptions landmarks{};
-    bool givesSpacing = true;
-    bool isAnother = true;                    // not the one that is open, with another spacing
-    std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
-  };
-  // MeshOrigin: what a surface was made from: all that its recipe needs.
-  struct MeshOrigin {
-    Parameters parameters;
-    std::shared_ptr<const Volume<std::uint8_t>> erased;
-    Key mesh;
-    bool isFinal = false;
-    Key key() const { return Hasher("origin").add(mesh).add(isFinal).key(); }
-  };
   void adopt(Opened opened);
   void takeRecipe(const std::string& text);
   // make: fills in what is opened, in the background
@@ -147,11 +133,9 @@ class Session {
   // saved: called on this thread when all is written
   void saveAlone(const std::filesystem::path& path, std::function<void(const Progress&)> write,
                  std::function<void()> saved = {});
-  void show(const Parameters& parameters);
-  void showVersion();
+  // change: what is shown live is made anew where it depends on what `edit` changes of the document.
+  void change(const std::function<void(Document&)>& edit);
   void respace();
-  StageKeys currentKeys() const;
-  Parameters recipeParameters() const;
   Parameters shownParameters() const;
   std::string recipeOfMesh(const Parameters& parameters) const;
   std::string recipeNow();
@@ -164,21 +148,8 @@ class Session {
   void tellWarnings(const std::vector<std::string>& warnings, bool again);
   void report(Message::Kind kind, std::string text) { messages_.push_back({kind, std::move(text)}); }
 
-  // Version: what undo goes back to.
-  struct Version {
-    Parameters parameters;
-    std::size_t strokes = 0;  // of the eraser
-  };
-
-  Scan scan_;
-  std::string name_;
-  bool givesSpacing_ = true;
-  std::optional<PhantomOptions> phantom_;  // of the scan, where it is simulated
-  Parameters parameters_;
-  ErasedParts erased_;
-  History<Version> history_;
-  Results results_;
-  MeshOrigin made_;              // of results_.mesh
+  Document document_;
+  Frame frame_;
   Key savedMesh_, savedErased_;  // of what was saved last
   bool follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
@@ -187,7 +158,6 @@ class Session {
   bool failed_ = false;          // whether the last request did
   bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
   std::optional<Goal> delayed_;  // what to submit when it has
-  double meshArea_ = 0;
   std::uint64_t revision_ = 0, reconstructions_ = 0;
   std::vector<Message> messages_;
   std::vector<std::string> warned_;  // what was said of this document

@@ -35,7 +35,7 @@ void Session::open(const std::string& label, Opened opened,
 // A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next.
 void Session::openFile(const fs::path& path) {
   const std::string name = path.filename().string();
-  const std::array<double, 3> spacing = hasScan() ? ScanOptions().spacing : parameters_.scan.spacing;
+  const std::array<double, 3> spacing = hasScan() ? ScanOptions().spacing : document_.parameters.scan.spacing;
   open("Opening " + name, {{}, name}, [path, spacing](Opened& opened, const Progress& progress) {
     opened.scan = readScan(path, progress);
     opened.givesSpacing = opened.scan.spacingKnown;
@@ -45,17 +45,17 @@ void Session::openFile(const fs::path& path) {
 }
 
 void Session::openPhantom() {
-  Opened opened{{}, "Phantom", phantomLandmarks(parameters_.phantom)};
-  opened.phantom = parameters_.phantom;
+  Opened opened{{}, "Phantom", phantomLandmarks(document_.parameters.phantom)};
+  opened.phantom = document_.parameters.phantom;
   open("Simulating the phantom", std::move(opened),
        [](Opened& made, const Progress& progress) { made.scan = makePhantomScan(*made.phantom, progress); });
 }
 
 // The spacing of a scan whose file gives none is a parameter like others; another one makes it another scan.
 void Session::respace() {
-  const std::array<double, 3>& spacing = parameters_.scan.spacing;
-  if (!hasScan() || givesSpacing_ || isSpaced(scan_, spacing)) return;
-  Opened opened{scan_, name_};
+  const std::array<double, 3>& spacing = document_.parameters.scan.spacing;
+  if (!hasScan() || document_.givesSpacing || isSpaced(frame_.scan, spacing)) return;
+  Opened opened{frame_.scan, document_.name};
   opened.givesSpacing = opened.isAnother = false;
   open("Setting the spacing", std::move(opened),
        [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
@@ -65,7 +65,7 @@ void Session::respace() {
 void Session::loadRecipe(const fs::path& path) {
   const auto text = std::make_shared<std::string>();
   opener_.append({"Opening " + path.filename().string(),
-                  [text, path, parameters = parameters_](const Progress&) mutable {
+                  [text, path, parameters = document_.parameters](const Progress&) mutable {
                     *text = readText(path, kMostRecipeBytes);
                     readRecipe(*text, parameters);
                   },
@@ -74,33 +74,35 @@ void Session::loadRecipe(const fs::path& path) {
 
 // What a recipe erases is erased of its own scan alone.
 void Session::takeRecipe(const std::string& text) {
-  Parameters read = parameters_;
+  Parameters read = document_.parameters;
   const RecipeInput input = readRecipe(text, read);
-  if (const auto erased = erasedIn(input, scan_)) erased_.become(*erased);
-  show(read);
+  const auto erased = erasedIn(input, frame_.scan);
+  change([&](Document& document) {
+    if (erased) document.erased.become(*erased);
+    document.change(read);
+  });
   commitEdit();
 }
 
 void Session::loadErased(const fs::path& path) {
   require(hasScan(), "There is no volume to erase from; open it first.");
-  const auto read = std::make_shared<Scan>(scan_);
+  const auto read = std::make_shared<Scan>(frame_.scan);
   opener_.replace({"Opening " + path.filename().string(),
                    [read, path](const Progress& progress) { setErased(*read, readMarks(path, progress)); },
                    [this, read] {
-                     erased_.become(*read->erased);
-                     show(parameters_);
+                     change([&](Document& document) { document.erased.become(*read->erased); });
                      commitEdit();
                    }});
 }
 
 void Session::saveErased(const fs::path& path) {
-  require(erased_.voxels() > 0, "Nothing is erased that could be saved; erase something first.");
+  require(document_.erased.voxels() > 0, "Nothing is erased that could be saved; erase something first.");
   saveAlone(
       path,
-      [path, mask = erased_.snapshot(), beam = scan_.beam](const Progress& progress) {
+      [path, mask = document_.erased.snapshot(), beam = frame_.scan.beam](const Progress& progress) {
         writeVolume(path, *mask, beam, progress);
       },
-      [this, key = erased_.key()] { savedErased_ = key; });
+      [this, key = document_.erased.key()] { savedErased_ = key; });
 }
 
 // ---- saving
@@ -127,9 +129,10 @@ void Session::saveAlone(const fs::path& path, std::function<void(const Progress&
 }
 
 bool Session::hasUnsavedWork() const {
-  const bool hasSurface = results_.mesh && reconstructions_ > 0;
-  return (hasSurface && !(made_.key() == savedMesh_)) ||
-         (erased_.voxels() > 0 && !(erased_.key() == savedErased_));
+  const bool hasSurface = frame_.results.mesh && reconstructions_ > 0;
+  const ErasedParts& erased = document_.erased;
+  return (hasSurface && !(frame_.made.key() == savedMesh_)) ||
+         (erased.voxels() > 0 && !(erased.key() == savedErased_));
 }
 
 void Session::save(const fs::path& path, const std::string& recipe,
@@ -153,15 +156,8 @@ void Session::save(const fs::path& path, const std::string& recipe,
 // A volume's own name may be a patient's.
 std::string Session::proposedName(const std::string& ending) const { return "surface" + ending; }
 
-// The parameters, with those of the simulation that the scan at hand was made with.
-Parameters Session::recipeParameters() const {
-  Parameters parameters = parameters_;
-  if (phantom_) parameters.phantom = *phantom_;
-  return parameters;
-}
-
 std::string Session::recipeOfMesh(const Parameters& parameters) const {
-  return writeRecipe(parameters, scan_.key, made_.erased.get());
+  return writeRecipe(parameters, frame_.scan.key, frame_.made.erased.get());
 }
 
 void Session::warnOfMesh() {
@@ -176,33 +172,33 @@ void Session::warnOfMesh() {
 }
 
 void Session::saveMesh(const fs::path& path) {
-  require(results_.mesh != nullptr, "There is no surface to save yet; reconstruct it first.");
+  require(frame_.results.mesh != nullptr, "There is no surface to save yet; reconstruct it first.");
   warnOfMesh();
   save(
-      path, recipeOfMesh(made_.parameters),
-      [path, mesh = results_.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
-      [this, key = made_.key()] { savedMesh_ = key; });
+      path, recipeOfMesh(frame_.made.parameters),
+      [path, mesh = frame_.results.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
+      [this, key = frame_.made.key()] { savedMesh_ = key; });
 }
 
 void Session::savePrint(const fs::path& path) {
-  require(results_.mesh != nullptr, "There is no surface to print yet; reconstruct it first.");
+  require(frame_.results.mesh != nullptr, "There is no surface to print yet; reconstruct it first.");
   requireFormat(FileKind::printedMesh, path);
   warnOfMesh();
-  Parameters parameters = made_.parameters;
-  parameters.print = parameters_.print;
+  Parameters parameters = frame_.made.parameters;
+  parameters.print = document_.parameters.print;
   PrintOptions& options = parameters.print;
   if (options.form == PrintForm::none) options.form = PrintForm::shell;
-  save(path, recipeOfMesh(parameters), [path, options, mesh = results_.mesh](const Progress& progress) {
+  save(path, recipeOfMesh(parameters), [path, options, mesh = frame_.results.mesh](const Progress& progress) {
     writeMesh(path, makePrintSolid(*mesh, options, progress.part(0, 0.9)), progress.part(0.9, 1));
   });
 }
 
 // What is shown of a surface: itself as it was made, in the present light.
 Parameters Session::shownParameters() const {
-  Parameters parameters = made_.parameters;
-  parameters.skin = parameters_.skin;
-  parameters.light = parameters_.light;
-  parameters.landmarks = parameters_.landmarks;
+  Parameters parameters = frame_.made.parameters;
+  parameters.skin = document_.parameters.skin;
+  parameters.light = document_.parameters.light;
+  parameters.landmarks = document_.parameters.landmarks;
   return parameters;
 }
 
@@ -219,7 +215,7 @@ void Session::savePicture(const fs::path& path, std::function<Image()> make, boo
 }
 
 std::string Session::recipeNow() {
-  return writeRecipe(recipeParameters(), scan_.key, erased_.snapshot().get());
+  return writeRecipe(recipeParameters(document_), frame_.scan.key, document_.erased.snapshot().get());
 }
 
 void Session::saveRecipe(const fs::path& path) {

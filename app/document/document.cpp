@@ -1,0 +1,74 @@
+#include "app/document/document.h"
+
+#include <utility>
+
+#include "core/pipeline/check_ranges.h"
+#include "core/pipeline/phantom_landmarks.h"
+#include "core/pipeline/stage_keys.h"
+
+namespace sonoskin {
+namespace {
+
+// Whoever sets parameters, an editor, a recipe or what a window was started with: what is drawn needs numbers within their
+// ranges, and beams, at any time.
+Parameters drawable(Parameters given, const ScanOptions& before) {
+  given = withinRanges(std::move(given));
+  given.scan = sidesApart(given.scan, before);
+  return given;
+}
+
+void showVersion(Document& document) {
+  const Version& version = document.history.current();
+  document.erased.goTo(version.strokes);
+  document.change(version.parameters);
+}
+
+}  // namespace
+
+Document::Document(const Parameters& given) : parameters(drawable(given, {})), history({parameters}) {}
+
+void Document::change(const Parameters& given) { parameters = drawable(given, parameters.scan); }
+
+void Document::commit() {
+  erased.endStroke();
+  const Version& last = history.current();
+  const bool same = parametersKey(parameters) == parametersKey(last.parameters);
+  if (!same || erased.strokes() != last.strokes) history.push({parameters, erased.strokes()});
+}
+
+void Document::undo() {
+  commit();
+  history.undo();
+  showVersion(*this);
+}
+
+void Document::redo() {
+  history.redo();
+  showVersion(*this);
+}
+
+void Document::adopt(const Opened& opened, const Scan& before) {
+  const Scan& scan = opened.scan;
+  const bool resized = before.volume && scan.volume->geometry.dims != before.volume->geometry.dims;
+  const bool other = before.volume && !(scan.key == before.key);
+  const Key past = parametersKey(parameters);
+  if (other || !hasLandmarks(parameters.landmarks)) parameters.landmarks = opened.landmarks;
+  if (opened.isAnother && before.volume) parameters.scan.spacing = {};
+  if (resized) parameters.region = {};
+  const bool changed = !(parametersKey(parameters) == past);
+  const bool anew = resized || changed || erased.hasStrokes() || scan.erased;
+  erased.reset(scan.volume->geometry);
+  if (scan.erased) erased.become(*scan.erased);
+  if (anew) history = History<Version>({parameters, erased.strokes()});
+  name = opened.name;
+  givesSpacing = opened.givesSpacing;
+  phantom = opened.phantom;
+}
+
+Parameters recipeParameters(const Document& document) {
+  Parameters parameters = document.parameters;
+  if (document.phantom) parameters.phantom = *document.phantom;
+  return parameters;
+}
+
+}  // namespace sonoskin

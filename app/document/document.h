@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/document/erased_parts.h"
+#include "app/document/history.h"
+#include "core/pipeline/parameters.h"
+#include "core/volume/scan.h"
+
+namespace sonoskin {
+
+// Opened: a scan, what it is called, and where the parts of its face are, if that is known.
+struct Opened {
+  Scan scan;
+  std::string name;
+  LandmarkOptions landmarks{};
+  bool givesSpacing = true;                 // the scan's own file does; otherwise scan.spacing is its spacing
+  bool isAnother = true;                    // not the one that is open, with another spacing
+  std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
+};
+
+// Version: what undo goes back to.
+struct Version {
+  Parameters parameters;
+  std::size_t strokes = 0;  // of the eraser
+};
+
+// Document: what belongs to the baby, whichever moment of it is looked at (Frame): where it comes from, the parameters, among
+// them landmarks, crop box and marks of parts, what was erased, and the history of these. A recipe holds this.
+struct Document {
+  explicit Document(const Parameters& parameters);
+
+  // change: other parameters, brought within their ranges and with beams.
+  void change(const Parameters& given);
+  // commit: makes what was changed and erased since the last step one step, that undo() takes back.
+  void commit();
+  void undo();
+  void redo();
+  // adopt: another volume in the place of the present one, or the same with another spacing. A crop box and what was erased
+  // belong to a volume's dimensions, landmarks to a face: where these are others they begin anew, and with them what undo
+  // goes back to.
+  //   before  the present scan; without a volume where there is none
+  void adopt(const Opened& opened, const Scan& before);
+
+  std::string name;
+  bool givesSpacing = true;
+  std::optional<PhantomOptions> phantom;  // of the scan, where it is simulated
+  Parameters parameters;
+  ErasedParts erased;
+  History<Version> history;
+};
+
+// recipeParameters: the parameters, with those of the simulation that the scan at hand was made with.
+Parameters recipeParameters(const Document& document);
+
+}  // namespace sonoskin
