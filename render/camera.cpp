@@ -125,7 +125,7 @@ glm::vec3 rightOf(const glm::vec3& forward, const glm::vec3& up) {
   const glm::vec3 across = glm::cross(forward, up);
   const float length = glm::length(across);
   if (length > kParallel * glm::length(up) && std::isfinite(length)) return across / length;
-  return perpendicularTo(forward, {1, 2});
+  return perpendicularTo<1, 2>(forward);
 }
 
 Camera lookAlong(const glm::vec3& forward, const glm::vec3& up, const Box& box, float aspect) {

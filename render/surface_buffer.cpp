@@ -8,7 +8,7 @@ namespace sonoskin {
 
 LightView::LightView(const glm::vec3& light, const Box& box)
     : centre(box.centre()), toLight(light), radius(0.51f * box.diagonal()) {
-  right = -perpendicularTo(light, {2, 0});
+  right = glm::normalize(glm::cross(axisAside<2, 0>(light), toLight));
   up = glm::cross(toLight, right);
 }
 

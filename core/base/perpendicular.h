@@ -5,27 +5,24 @@
 
 namespace sonoskin {
 
-// AxisChoice: which coordinate axis helps to find what is perpendicular to a direction: the first one, or the second
-// where the direction's component along the first reaches the limit. A choice decides how a frame lies around its
-// axis, so that another one gives other samples, though none that are worse.
-struct AxisChoice {
-  int first, second;
-  double limit = 0.9;
-};
-
-// axisAside: the coordinate axis that is chosen for the unit vector n; far from parallel to it.
 template <class Vector>
-Vector axisAside(const Vector& n, const AxisChoice& choice) {
-  Vector axis(0);
-  axis[std::abs(n[choice.first]) < typename Vector::value_type(choice.limit) ? choice.first : choice.second] =
-      1;
-  return axis;
+constexpr Vector coordinateAxis(int axis) {
+  return Vector(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+}
+
+// axisAside: a coordinate axis that is far from parallel to the unit vector n: the first one, or the second where the
+// component of n along the first reaches the limit. The choice decides how a frame lies around n, so that another one
+// gives other samples, though none that are worse.
+template <int first, int second, class Vector>
+Vector axisAside(const Vector& n, double limit = 0.9) {
+  return std::abs(n[first]) < typename Vector::value_type(limit) ? coordinateAxis<Vector>(first)
+                                                                 : coordinateAxis<Vector>(second);
 }
 
 // perpendicularTo: a unit vector perpendicular to the unit vector n: n x axisAside.
-template <class Vector>
-Vector perpendicularTo(const Vector& n, const AxisChoice& choice) {
-  return glm::normalize(glm::cross(n, axisAside(n, choice)));
+template <int first, int second, class Vector>
+Vector perpendicularTo(const Vector& n, double limit = 0.9) {
+  return glm::normalize(glm::cross(n, axisAside<first, second>(n, limit)));
 }
 
 }  // namespace sonoskin

@@ -63,7 +63,7 @@ std::vector<Start> findStarts(const FaceSpace& space, const vec3& toProbe, float
 }
 
 FacePlacement placedAt(const Start& start, const glm::quat& bend, float roll, float scale) {
-  const vec3 left = -perpendicularTo(start.normal, {0, 1, 0.7});
+  const vec3 left = glm::normalize(glm::cross(axisAside<0, 1>(start.normal, 0.7), start.normal));
   FacePlacement face;
   const glm::mat3 upright(left, glm::cross(start.normal, left), start.normal);
   face.turn = upright * glm::mat3_cast(glm::angleAxis(roll, vec3(0, 0, 1)) * bend);

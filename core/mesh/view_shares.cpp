@@ -21,7 +21,7 @@ class BeamFrame {
  public:
   BeamFrame(const Beam& beam, const glm::dvec3& middle)
       : apex_(beam.apex), origin_(beam.apex.value_or(middle)), forward_(beam.directionAt(middle)) {
-    right_ = perpendicularTo(forward_, {0, 1});
+    right_ = perpendicularTo<0, 1>(forward_);
     up_ = glm::cross(right_, forward_);
   }
   BeamPlace place(const glm::vec3& world) const {

@@ -56,7 +56,7 @@ std::size_t nearestPoint(const PointGrid& grid, const AreaPoints& points, const 
 class PlaneFit {
  public:
   PlaneFit(const glm::vec3& x, const glm::vec3& n, float reach) : x_(x), inverseReach_(1 / reach) {
-    side_ = perpendicularTo(n, {0, 1, 0.7});
+    side_ = perpendicularTo<0, 1>(n, 0.7);
     up_ = glm::cross(n, side_);
   }
   void add(float weight, const glm::vec3& position, const glm::vec4& light) {

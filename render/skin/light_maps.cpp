@@ -25,7 +25,7 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
   const float half = distance > 1.05f * radius ? std::asin(radius / distance) : glm::radians(70.f);
   const float near = std::max(distance - radius, 0.02f * radius), far = distance + radius;
   const glm::mat4 projection = glm::perspective(2 * half, 1.f, near, far);
-  const glm::vec3 up = axisAside(forward, {2, 0});
+  const glm::vec3 up = axisAside<2, 0>(forward);
   terms = depthTerms(projection);
   width = 2 * std::tan(half) * distance;
   return projection * glm::lookAt(lamp.position, lamp.position + forward, up);

@@ -34,7 +34,7 @@ struct DepthRange {
 
   DepthRange(const glm::vec3& toward, const glm::vec3& middle, float diameter)
       : direction(toward), centre(middle), pixel(diameter / float(kPixels - 4)) {
-    u = perpendicularTo(toward, {2, 0});
+    u = perpendicularTo<2, 0>(toward);
     v = glm::cross(toward, u);
   }
   // In pixels, and the depth in mm.

@@ -46,7 +46,7 @@ glm::dvec3 awayFrom(const Mesh& surface) {
 }
 
 glm::dmat3 frameAlong(const glm::dvec3& axis) {
-  const glm::dvec3 right = perpendicularTo(axis, {0, 1});
+  const glm::dvec3 right = perpendicularTo<0, 1>(axis);
   return {right, glm::cross(axis, right), axis};
 }
 

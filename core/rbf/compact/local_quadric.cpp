@@ -109,7 +109,7 @@ float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const Local
 Frame frameAround(const glm::vec3& normal) {
   const glm::vec3 size = glm::abs(normal);
   const int smallest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
-  const glm::vec3 u = perpendicularTo(normal, {smallest, smallest});
+  const glm::vec3 u = glm::normalize(glm::cross(normal, coordinateAxis<glm::vec3>(smallest)));
   return {u, glm::cross(normal, u), normal};
 }
 
