@@ -51,11 +51,22 @@ void fetchAhead(const ScaledSystem& system, const float* next, std::size_t at, i
     for (int x = 0; x < count; x += kLine / int(sizeof(Half))) __builtin_prefetch(part->data() + at + x);
 }
 
-// One row of voxels: makes `next`, which holds the u before, the u after. In the first step nothing came before.
+// A row of voxels: from voxel `at` on, with K u, u, and the u before in `next`.
+struct VoxelRow {
+  std::size_t at;
+  int count;
+  const float *ku, *u;
+  float* next;
+};
+
+// One row: makes the u before the u after. In the first step nothing came before.
 template <bool First>
-void advanceRow(const ScaledSystem& system, std::size_t at, const float* ku, ChebyshevSteps::Step step,
-                const float* u, float* next, int count, TileState& state) {
-  const Half *right = &system.right[at], *own = &system.own[at], *inverse = &system.inverse[at];
+void advanceRow(const ScaledSystem& system, ChebyshevSteps::Step step, const VoxelRow& row,
+                TileState& state) {
+  const Half *right = &system.right[row.at], *own = &system.own[row.at], *inverse = &system.inverse[row.at];
+  const float *ku = row.ku, *u = row.u;
+  float* next = row.next;
+  const int count = row.count;
   const float momentum = step.momentum, length = step.length;
   float sum = 0, largest = state.step;
 #pragma omp simd reduction(+ : sum) reduction(max : largest)
@@ -141,7 +152,7 @@ class Iteration {
       const int width = tile.last.x - tile.first.x;
       fetchAhead(system_, scratch_.data(),
                  std::min(at + 2 * std::size_t(k_.geometry().dims.x), u_.size() - 1), width);
-      advance(system_, at, ku, step, &u_[at], &scratch_[at], width, state);
+      advance(system_, step, {at, width, ku, &u_[at], &scratch_[at]}, state);
     });
     states_[t] = state;
   }

@@ -13,7 +13,7 @@ namespace sonoskin {
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
   if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
-  DataTerm term = dataTerm(volume, smoothed.lowPassed, options, smoothed.levels, progress.part(0, 0.1));
+  DataTerm term = dataTerm({volume, smoothed.lowPassed, options, smoothed.levels}, progress.part(0, 0.1));
   Solution solution =
       solvePcg(neighbourTerms(smoothed, options), std::move(term), options.tolerance, progress.part(0.1, 1));
   Volume<float> result;

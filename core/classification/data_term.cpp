@@ -33,8 +33,8 @@ void squaredGradientRow(const Volume<float>& v, int j, int k, float* out) {
 
 }  // namespace
 
-void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
-                 const GreyLevels& levels, int j, int k, float* diagonal, float* right) {
+void dataTermRow(const DataSource& source, int j, int k, float* diagonal, float* right) {
+  const auto& [raw, lowPassed, o, levels] = source;
   const float w = float(o.rawShare), noise = float(o.noiseFloor * o.noiseFloor);
   const float alpha = float(o.alpha), gamma = float(o.gamma), delta = float(o.gradientFloor);
   const float perReference = float(1 / o.gradientReference), target = float(o.target);
@@ -56,16 +56,15 @@ void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed, const
   }
 }
 
-DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed, const ClassificationOptions& o,
-                  const GreyLevels& levels, const Progress& progress) {
-  const Geometry& geometry = raw.geometry;
+DataTerm dataTerm(const DataSource& source, const Progress& progress) {
+  const Geometry& geometry = source.raw.geometry;
   DataTerm term{LargeArray<float>(geometry.voxels()), LargeArray<float>(geometry.voxels())};
   parallelFor(
       geometry.dims.z,
       [&](std::ptrdiff_t k) {
         for (int j = 0; j < geometry.dims.y; ++j) {
           const std::size_t start = geometry.index(0, j, int(k));
-          dataTermRow(raw, lowPassed, o, levels, j, int(k), &term.diagonal[start], &term.right[start]);
+          dataTermRow(source, j, int(k), &term.diagonal[start], &term.right[start]);
         }
       },
       progress);

@@ -19,19 +19,23 @@ struct DataTerm {
   LargeArray<float> diagonal, right;
 };
 
-// dataTerm: see above.
+// DataSource: what the data term is made from.
 //   raw, lowPassed  v and v~, the same geometry
 //   levels          where options.isoValue is 0: v_iso from place to place, by isoShare
-//   errors          Cancelled
-DataTerm dataTerm(const Volume<float>& raw, const Volume<float>& lowPassed,
-                  const ClassificationOptions& options, const GreyLevels& levels = {},
-                  const Progress& progress = {});
+struct DataSource {
+  const Volume<float>& raw;
+  const Volume<float>& lowPassed;
+  const ClassificationOptions& options;
+  GreyLevels levels{};
+};
+
+// dataTerm: see above.
+//   errors   Cancelled
+DataTerm dataTerm(const DataSource& source, const Progress& progress = {});
 
 // dataTermRow: the same for the row of voxels (., j, k).
 //   diagonal, right  room for dims.x values
-void dataTermRow(const Volume<float>& raw, const Volume<float>& lowPassed,
-                 const ClassificationOptions& options, const GreyLevels& levels, int j, int k,
-                 float* diagonal, float* right);
+void dataTermRow(const DataSource& source, int j, int k, float* diagonal, float* right);
 
 // absoluteBeta: the beta of the functional that smooths over the options' tangential length at a typical
 // edge: beta l^2 gamma h_ref, h_ref = h at |grad| = 0.06.

@@ -124,12 +124,12 @@ std::shared_ptr<const EdgeField> edgesAround(const std::vector<Sample>& samples,
   return field;
 }
 
-// Cell: the two cells between whose middles a voxel lies, and how far it is from the first.
-struct Between {
+// CellPair: the two cells between whose middles a voxel lies, and how far it is from the first.
+struct CellPair {
   int first, second;
   float part;
 };
-Between cellsAround(int voxel, float size, int count) {
+CellPair cellsAround(int voxel, float size, int count) {
   const float at = std::clamp((float(voxel) + 0.5f) / size - 0.5f, 0.f, float(count - 1));
   const int first = std::min(int(at), count - 1);
   return {first, std::min(first + 1, count - 1), at - float(first)};
@@ -144,7 +144,7 @@ double factorFor(float black) {
 }  // namespace
 
 void EdgeField::row(int j, int k, int count, float* out) const {
-  const Between y = cellsAround(j, voxels.y, cells.y), z = cellsAround(k, voxels.z, cells.z);
+  const CellPair y = cellsAround(j, voxels.y, cells.y), z = cellsAround(k, voxels.z, cells.z);
   thread_local std::vector<float> line;
   line.resize(std::size_t(cells.x));
   const auto at = [&](int x, int b, int c) {
@@ -157,7 +157,7 @@ void EdgeField::row(int j, int k, int count, float* out) const {
     line[std::size_t(x)] = std::lerp(near, far, z.part);
   }
   for (int i = 0; i < count; ++i) {
-    const Between x = cellsAround(i, voxels.x, cells.x);
+    const CellPair x = cellsAround(i, voxels.x, cells.x);
     const float a = line[std::size_t(x.first)];
     out[i] = a + x.part * (line[std::size_t(x.second)] - a);
   }

@@ -17,7 +17,7 @@ std::shared_ptr<const Volume<float>> LiveClassifier::classify(const Classificati
   const auto before = std::exchange(last_, nullptr);  // of no use for a system that is half rebuilt
   const NeighbourTerms k = neighbourTerms(*smoothed_, options);
   auto u = Volume<float>::unset(volume_->geometry);
-  scaleSystem(*volume_, smoothed_->lowPassed, k, options, smoothed_->levels,
+  scaleSystem({*volume_, smoothed_->lowPassed, options, smoothed_->levels}, k,
               before ? before->data.data() : nullptr, system_, u.data.data(), progress.part(0, 0.2));
   const double tolerance = std::max(kLiveTolerance, options.tolerance);
   const FastSolution solution = solveFast(k, system_, tolerance, u.data, scratch_, progress.part(0.2, 0.9));

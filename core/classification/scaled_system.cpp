@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
-#include "core/classification/data_term.h"
 
 namespace sonoskin {
 namespace {
@@ -68,10 +67,9 @@ void addToTiles(const RowWork& work, float* coupling, float* squares) {
 
 }  // namespace
 
-void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const NeighbourTerms& k,
-                 const ClassificationOptions& options, const GreyLevels& levels, const float* before,
-                 ScaledSystem& system, float* start, const Progress& progress) {
-  const Geometry& g = raw.geometry;
+void scaleSystem(const DataSource& source, const NeighbourTerms& k, const float* before, ScaledSystem& system,
+                 float* start, const Progress& progress) {
+  const Geometry& g = source.raw.geometry;
   for (LargeArray<Half>* part : {&system.right, &system.own, &system.inverse}) part->resize(g.voxels());
   const glm::ivec3 counts = tileCounts(g.dims);
   for (std::vector<float>* perTile : {&system.coupling, &system.squares})
@@ -86,7 +84,7 @@ void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const
           for (int j = 0; j < g.dims.y; ++j) {
             const std::size_t at = g.index(0, j, slice);
             Half *right = &system.right[at], *own = &system.own[at], *inverse = &system.inverse[at];
-            dataTermRow(raw, lowPassed, options, levels, j, slice, work.diagonal.data(), work.right.data());
+            dataTermRow(source, j, slice, work.diagonal.data(), work.right.data());
             k.diagonalRow(j, slice, work.coupling.data());
             startRow(work, right, own, before ? before + at : nullptr, start + at, g.dims.x);
             scaleRow(work, right, own, inverse, g.dims.x);

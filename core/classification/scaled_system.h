@@ -1,14 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/classification/classification_options.h"
+#include "core/classification/data_term.h"
 #include "core/classification/half.h"
-#include "core/classification/iso_value.h"
 #include "core/classification/neighbour_terms.h"
-#include "core/volume/volume.h"
 
 namespace sonoskin {
 
@@ -28,15 +25,12 @@ struct ScaledSystem {
 inline constexpr float kLooseCoupling = 0.02f;
 
 // scaleSystem: builds the system, and u to start from, in one pass over the volume.
-//   raw, lowPassed  v and v~
-//   levels          see dataTerm()
-//   start           room for one value per voxel; gets b/c, the solution where K = 0
-//   before          a solution for the system that `system` holds, or null. With it, start gets
-//                   max(0, before + (b/c)_new - (b/c)_old) where K counts: a change of the iso-value moves the whole surface,
-//                   so that `before` itself would be farther away than b/c. May be `start` itself.
-//   errors          Cancelled; then `system` is of no use
-void scaleSystem(const Volume<float>& raw, const Volume<float>& lowPassed, const NeighbourTerms& k,
-                 const ClassificationOptions& options, const GreyLevels& levels, const float* before,
-                 ScaledSystem& system, float* start, const Progress& progress = {});
+//   start    room for one value per voxel; gets b/c, the solution where K = 0
+//   before   a solution for the system that `system` holds, or null. With it, start gets
+//            max(0, before + (b/c)_new - (b/c)_old) where K counts: a change of the iso-value moves the whole surface,
+//            so that `before` itself would be farther away than b/c. May be `start` itself.
+//   errors   Cancelled; then `system` is of no use
+void scaleSystem(const DataSource& source, const NeighbourTerms& k, const float* before, ScaledSystem& system,
+                 float* start, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -32,10 +32,17 @@ struct CentralOfCentral {
   }
 };
 
-// One row of grad v~ x curl grad v~ into x, y, z, for inner voxels.
+// A row of vectors, one per voxel.
+struct VectorRow {
+  float *x, *y, *z;
+};
+
+// One row of grad v~ x curl grad v~, for inner voxels.
 template <class Mixed>
-void crossRow(const float* low, int count, std::ptrdiff_t row, std::ptrdiff_t plane, float* x, float* y,
-              float* z) {
+void crossRow(const float* low, const Geometry& g, const VectorRow& out) {
+  const std::ptrdiff_t row = g.dims.x, plane = std::ptrdiff_t(g.index(0, 0, 1));
+  float *x = out.x, *y = out.y, *z = out.z;
+  const int count = g.dims.x;
 #pragma omp simd
   for (int i = 1; i < count - 1; ++i) {
     const float* v = low + i;
@@ -51,8 +58,8 @@ void crossRow(const float* low, int count, std::ptrdiff_t row, std::ptrdiff_t pl
 }
 
 // Divides a row by its diagonal; returns the greatest sum of |off-diagonals| in it.
-float scaleRow(const ThesisRow& row, float halfBeta, int count, float* x, float* y, float* z, float* right) {
-  float worst = 0;
+float scaleRow(const ThesisRow& row, float halfBeta, int count, const VectorRow& vectors, float* right) {
+  float *x = vectors.x, *y = vectors.y, *z = vectors.z, worst = 0;
 #pragma omp simd reduction(max : worst)
   for (int i = 0; i < count; ++i) {
     // 0/0 is 0, as in the closed form.
@@ -72,7 +79,6 @@ Scaled assemble(const Volume<float>& volume, const ClassificationOptions& o, con
   const Volume<float> low = boxBlur(volume, progress.part(0, 0.3));
   const Geometry& g = volume.geometry;
   const std::size_t n = g.voxels(), rowSize = std::size_t(g.dims.x);
-  const std::ptrdiff_t up = g.dims.x, plane = std::ptrdiff_t(g.index(0, 0, 1));
   Scaled s{g, LargeArray<float>(n, 0.0f), LargeArray<float>(n, 0.0f), LargeArray<float>(n, 0.0f),
            LargeArray<float>(n)};
   const auto cross =
@@ -87,11 +93,11 @@ Scaled assemble(const Volume<float>& volume, const ClassificationOptions& o, con
         for (int j = 0; j < g.dims.y; ++j) {
           const std::size_t at = g.index(0, j, k);
           const bool inner = j > 0 && k > 0 && j < g.dims.y - 1 && k < g.dims.z - 1;
-          if (inner) cross(&low.data[at], g.dims.x, up, plane, &s.x[at], &s.y[at], &s.z[at]);
+          const VectorRow vectors{&s.x[at], &s.y[at], &s.z[at]};
+          if (inner) cross(&low.data[at], g, vectors);
           thesisRow(volume, &low.data[at], j, k, o, row);
           worst[std::size_t(k)] = std::max(
-              worst[std::size_t(k)],
-              scaleRow(row, float(0.5 * o.beta), g.dims.x, &s.x[at], &s.y[at], &s.z[at], &s.right[at]));
+              worst[std::size_t(k)], scaleRow(row, float(0.5 * o.beta), g.dims.x, vectors, &s.right[at]));
         }
       },
       progress.part(0.3, 1));

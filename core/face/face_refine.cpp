@@ -13,14 +13,14 @@ constexpr int kMotion = 7, kUnknowns = kMotion + kFaceModes;
 using Row = Eigen::Matrix<double, kUnknowns, 1>;
 using System = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-// What one model point tells: how `off` from the surface it is, and how that changes with each unknown.
-struct Pull {
-  Row change;
+// Residual: how far one model point lies off the surface, and how that changes with each unknown.
+struct Residual {
+  Row jacobian;
   double off = 0, weight = 0;
 };
 
-bool pullOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach,
-            Pull& pull) {
+bool residualOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach,
+                Residual& residual) {
   const vec3 arm = face.scale * (face.turn * face.inHead(point)), place = face.at + arm;
   const Surfel* surfel = space.nearest(place);
   if (!surfel) return false;
@@ -32,13 +32,13 @@ bool pullOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& 
   const float share = 1 - off * off / (far * far);
   if (share <= 0) return false;
   const vec3 turn = glm::cross(arm, surfel->normal);
-  pull.change << double(surfel->normal.x), double(surfel->normal.y), double(surfel->normal.z), double(turn.x),
-      double(turn.y), double(turn.z), double(glm::dot(arm, surfel->normal)),
+  residual.jacobian << double(surfel->normal.x), double(surfel->normal.y), double(surfel->normal.z),
+      double(turn.x), double(turn.y), double(turn.z), double(glm::dot(arm, surfel->normal)),
       Eigen::Matrix<double, kFaceModes, 1>::Zero();
   for (int m = 0; m < kFaceModes; ++m)
-    pull.change[kMotion + m] = double(face.scale * point.along[std::size_t(m)] * agrees);
-  pull.off = double(off);
-  pull.weight = double(point.weight * agrees * share * share);
+    residual.jacobian[kMotion + m] = double(face.scale * point.along[std::size_t(m)] * agrees);
+  residual.off = double(off);
+  residual.weight = double(point.weight * agrees * share * share);
   return true;
 }
 
@@ -67,13 +67,13 @@ FacePlacement refineFace(const FacePlacement& start, const FaceSpace& space, con
     System system = System::Zero();
     Row right = Row::Zero();
     double weights = 0, all = 0;
-    Pull pull;
+    Residual residual;
     for (std::size_t i = 0; i < count; ++i) {
       all += double(model.points[i].weight);
-      if (!pullOf(model.points[i], face, space, reach, pull)) continue;
-      weights += pull.weight;
-      system.selfadjointView<Eigen::Lower>().rankUpdate(pull.change, pull.weight);
-      right -= pull.weight * pull.off * pull.change;
+      if (!residualOf(model.points[i], face, space, reach, residual)) continue;
+      weights += residual.weight;
+      system.selfadjointView<Eigen::Lower>().rankUpdate(residual.jacobian, residual.weight);
+      right -= residual.weight * residual.off * residual.jacobian;
     }
     if (weights < kEnough * all) return step == 0 ? start : face;
     system *= kMeasurements / all;

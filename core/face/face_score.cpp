@@ -74,22 +74,23 @@ float faceScore(const FacePlacement& face, const FaceSpace& space, std::size_t p
 
 namespace {
 
-// Meeting: a point of the model in the world, and the place of the surface nearest to it, if there is one.
-struct Meeting {
+// Correspondence: a point of the model in the world, and the place of the surface nearest to it, if there is one.
+struct Correspondence {
   vec3 place, found, normal;  // `normal` of what was found
   float before = 0;           // mm that the surface lies before the point
-  bool there = false;
+  bool exists = false;
 };
 
-Meeting meetingOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space, float reach) {
-  Meeting m;
+Correspondence correspondenceOf(const FacePoint& point, const FacePlacement& face, const FaceSpace& space,
+                                float reach) {
+  Correspondence m;
   m.place = face.toWorld(face.inHead(point));
   const Surfel* surfel = space.nearest(m.place);
   if (!surfel || glm::dot(surfel->normal, face.normal(point)) < 0.25f) return m;
   m.before = glm::dot(surfel->place - m.place, surfel->normal);
   m.normal = surfel->normal;
   m.found = m.place + m.before * m.normal;
-  m.there = std::abs(m.before) < reach;
+  m.exists = std::abs(m.before) < reach;
   return m;
 }
 
@@ -100,32 +101,33 @@ struct Relief {
 };
 
 Relief reliefAt(const FaceModel::Inner& inner, const FacePlacement& face,
-                const std::vector<Meeting>& meetings) {
+                const std::vector<Correspondence>& correspondences) {
   vec3 place(0), found(0), up(0), foundUp(0);
   float shares = 0;
   for (const FaceNeighbour& neighbour : inner.around) {
-    const Meeting& there = meetings[neighbour.point];
-    if (!there.there) continue;
+    const Correspondence& there = correspondences[neighbour.point];
+    if (!there.exists) continue;
     place += neighbour.share * there.place;
     found += neighbour.share * there.found;
     up += neighbour.share * face.normal(faceModel().points[neighbour.point]);
     foundUp += neighbour.share * there.normal;
     shares += neighbour.share;
   }
-  const Meeting& here = meetings[inner.point];
+  const Correspondence& here = correspondences[inner.point];
   return {double(glm::dot(here.place - place / shares, glm::normalize(up))),
           double(glm::dot(here.found - found / shares, glm::normalize(foundUp)))};
 }
 
 // The correlation of two reliefs over the inner face, and the gain from one to the other.
-void compareRelief(const std::vector<Meeting>& meetings, const FacePlacement& face, FaceEvidence& evidence) {
+void compareRelief(const std::vector<Correspondence>& correspondences, const FacePlacement& face,
+                   FaceEvidence& evidence) {
   const FaceModel& model = faceModel();
   double n = 0, all = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (const FaceModel::Inner& inner : model.inner) {
     const double weight = double(model.points[inner.point].weight);
     all += weight;
-    if (!meetings[inner.point].there) continue;
-    const Relief relief = reliefAt(inner, face, meetings);
+    if (!correspondences[inner.point].exists) continue;
+    const Relief relief = reliefAt(inner, face, correspondences);
     n += weight;
     a += weight * relief.expected;
     b += weight * relief.found;
@@ -147,22 +149,23 @@ FaceEvidence faceEvidence(const FacePlacement& face, const FaceSpace& space) {
   const FaceModel& model = faceModel();
   const float reach = 8 * face.scale, near = 2.5f * face.scale;
   FaceEvidence evidence;
-  std::vector<Meeting> meetings(model.points.size());
+  std::vector<Correspondence> correspondences(model.points.size());
   double explained = 0, against = 0, squares = 0;
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     const double weight = double(model.points[i].weight);
-    const Meeting meeting = meetings[i] = meetingOf(model.points[i], face, space, reach);
-    if (meeting.there && std::abs(meeting.before) < near) {
+    const Correspondence correspondence = correspondences[i] =
+        correspondenceOf(model.points[i], face, space, reach);
+    if (correspondence.exists && std::abs(correspondence.before) < near) {
       explained += weight;
-      squares += weight * double(meeting.before * meeting.before);
-    } else if (space.kind(meeting.place) == FaceSpace::Kind::free) {
+      squares += weight * double(correspondence.before * correspondence.before);
+    } else if (space.kind(correspondence.place) == FaceSpace::Kind::free) {
       against += weight;
     }
   }
   evidence.explained = float(explained);
   evidence.against = float(against);
   evidence.residual = float(std::sqrt(squares / std::max(explained, 1e-9)));
-  compareRelief(meetings, face, evidence);
+  compareRelief(correspondences, face, evidence);
   return evidence;
 }
 

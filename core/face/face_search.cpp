@@ -20,13 +20,13 @@ constexpr int kRolls = 20;
 constexpr std::size_t kRough = 400, kFair = 36, kFine = 8;
 const vec3 kAnchor(0, -12, 37);  // of the mean face, between the nose's wings: it lies on the surface
 
-// Start: a place of the surface, and where it looks.
-struct Start {
+// Seed: a place of the surface where a search begins, and where it looks.
+struct Seed {
   vec3 place, normal;
 };
 
 // Places some mm apart, with normals of what lies within twice that.
-std::vector<Start> findStarts(const FaceSpace& space, const vec3& toProbe, float apart) {
+std::vector<Seed> findSeeds(const FaceSpace& space, const vec3& toProbe, float apart) {
   struct Sum {
     vec3 place{0}, normal{0};
     float count = 0;
@@ -43,7 +43,7 @@ std::vector<Start> findStarts(const FaceSpace& space, const vec3& toProbe, float
     sum.normal += surfel.normal;
     ++sum.count;
   }
-  std::vector<Start> starts;
+  std::vector<Seed> seeds;
   for (const auto& [key, sum] : sums) {
     if (sum.count < 6) continue;
     const vec3 place = sum.place / sum.count;
@@ -54,26 +54,26 @@ std::vector<Start> findStarts(const FaceSpace& space, const vec3& toProbe, float
       if (around != sums.end()) normal += around->second.normal;
     }
     if (glm::length(normal) < 6 || glm::dot(glm::normalize(normal), toProbe) < 0.1f) continue;
-    starts.push_back({place, glm::normalize(normal)});
+    seeds.push_back({place, glm::normalize(normal)});
   }
-  std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
+  std::sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
     return std::array{a.place.x, a.place.y, a.place.z} < std::array{b.place.x, b.place.y, b.place.z};
   });
-  return starts;
+  return seeds;
 }
 
-FacePlacement placedAt(const Start& start, const glm::quat& bend, float roll, float scale) {
-  const vec3 left = glm::normalize(glm::cross(axisAside<0, 1>(start.normal, 0.7), start.normal));
+FacePlacement placedAt(const Seed& seed, const glm::quat& bend, float roll, float scale) {
+  const vec3 left = glm::normalize(glm::cross(axisAside<0, 1>(seed.normal, 0.7), seed.normal));
   FacePlacement face;
-  const glm::mat3 upright(left, glm::cross(start.normal, left), start.normal);
+  const glm::mat3 upright(left, glm::cross(seed.normal, left), seed.normal);
   face.turn = upright * glm::mat3_cast(glm::angleAxis(roll, vec3(0, 0, 1)) * bend);
   face.scale = scale;
-  face.at = start.place - scale * (face.turn * kAnchor);
+  face.at = seed.place - scale * (face.turn * kAnchor);
   return face;
 }
 
 // The best of all rolls, bends and sizes at one place.
-std::vector<FaceHypothesis> tryPlace(const Start& start, const FaceSpace& space, const vec3& toProbe,
+std::vector<FaceHypothesis> tryPlace(const Seed& seed, const FaceSpace& space, const vec3& toProbe,
                                      const SizePrior& size) {
   constexpr float kBend = 0.44f;
   const glm::quat bends[] = {glm::quat(1, 0, 0, 0), glm::angleAxis(kBend, vec3(1, 0, 0)),
@@ -85,7 +85,7 @@ std::vector<FaceHypothesis> tryPlace(const Start& start, const FaceSpace& space,
     for (const glm::quat& bend : bends)
       for (const float step : {-1.2f, 0.f, 1.2f}) {
         const float scale = size.middle * std::exp(step * size.spread);
-        const FacePlacement face = placedAt(start, bend, float(roll) * 6.2831853f / kRolls, scale);
+        const FacePlacement face = placedAt(seed, bend, float(roll) * 6.2831853f / kRolls, scale);
         if (glm::dot(face.front(), toProbe) < 0.25f) continue;
         const float score = faceScore(face, space, kRoughPoints, kRoughWidth);
         if (score > top.score) top = {face, score};
@@ -145,12 +145,12 @@ void refineAll(std::vector<FaceHypothesis>& all, const FaceSpace& space, const S
 
 std::vector<FaceHypothesis> searchFaces(const FaceSpace& space, const vec3& toProbe, const SizePrior& size,
                                         const Progress& progress) {
-  const std::vector<Start> starts = findStarts(space, toProbe, 8 * size.middle);
-  std::vector<std::vector<FaceHypothesis>> tried(starts.size());
+  const std::vector<Seed> seeds = findSeeds(space, toProbe, 8 * size.middle);
+  std::vector<std::vector<FaceHypothesis>> tried(seeds.size());
   parallelFor(
-      std::ptrdiff_t(starts.size()),
+      std::ptrdiff_t(seeds.size()),
       [&](std::ptrdiff_t n) {
-        tried[std::size_t(n)] = tryPlace(starts[std::size_t(n)], space, toProbe, size);
+        tried[std::size_t(n)] = tryPlace(seeds[std::size_t(n)], space, toProbe, size);
       },
       progress.part(0, 0.4));
   std::vector<FaceHypothesis> all;

@@ -33,9 +33,9 @@ class Writer {
   const Write& write_;
 };
 
-class Taker {
+class ByteReader {
  public:
-  Taker(std::span<const std::uint8_t> bytes, const fs::path& path) : bytes_(bytes), path_(path) {}
+  ByteReader(std::span<const std::uint8_t> bytes, const fs::path& path) : bytes_(bytes), path_(path) {}
 
   template <class T>
   requires std::is_trivially_copyable_v<T>
@@ -103,7 +103,7 @@ void writeOptionals(const Writer& f, const StoredVolume& s) {
   f(s.beam->axis), f(s.beam->up);
 }
 
-void takeOptionals(Taker& f, StoredVolume& s) {
+void takeOptionals(ByteReader& f, StoredVolume& s) {
   bool has = false;
   if (f(has); has) f(s.unitRange.emplace().first), f(s.unitRange->second);
   if (f(has); !has) return;
@@ -142,10 +142,10 @@ void writeAnswer(const Mesh& mesh, const Write& write) {
 }
 
 LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
-  Taker taker(answer, path);
+  ByteReader reader(answer, path);
   LoadedVolume volume;
-  takeOptionals(taker, volume.stored);
-  walkVolume(taker, volume);
+  takeOptionals(reader, volume.stored);
+  walkVolume(reader, volume);
   require(isSound(volume), "{} gave numbers that contradict each other: it is damaged; get a fresh copy.",
           path.string());
   checkGeometry(volume.stored, path);
@@ -153,9 +153,9 @@ LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& pa
 }
 
 Mesh meshFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
-  Taker taker(answer, path);
+  ByteReader reader(answer, path);
   Mesh mesh;
-  walkMesh(taker, mesh);
+  walkMesh(reader, mesh);
   checkMesh(mesh, path);
   return mesh;
 }

@@ -58,9 +58,9 @@ void findNeighbours(const Facets& facets, SurfacePatches& patches) {
   }
 }
 
-// Reach: the patches around one, found from patch to patch, and their squared distances. Keeps its memory between calls:
+// PatchSearch: the patches around one, found from patch to patch, and their squared distances. Keeps its memory between calls:
 // to clear the stamps of all patches for some of them would cost more than the search.
-struct Reach {
+struct PatchSearch {
   std::vector<std::uint32_t> found, stamp;
   std::vector<float> squared;
   std::uint32_t now = 0;
@@ -112,7 +112,7 @@ std::vector<glm::vec4> smoothOverPatches(const SurfacePatches& patches, const st
   parallelItems(
       patches.size(), kPatchesPerTask,
       [&](std::size_t p) {
-        thread_local Reach around;
+        thread_local PatchSearch around;
         around.search(patches, std::uint32_t(p), reach);
         glm::vec4 sum(0);
         for (std::size_t i = 0; i < around.found.size(); ++i)

@@ -201,9 +201,9 @@ std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatom
   return out;
 }
 
-float lossBefore(const SectorGrid& sector, const Sight& sight, const vec3& world) {
+float lossBefore(const SectorGrid& sector, const TissueDistances& tissues, const vec3& world) {
   constexpr float kSkip = 1, kStep = 0.25f;
-  const DistanceGrid &skin = sight.skin, &wall = sight.wall;
+  const DistanceGrid &skin = tissues.skin, &wall = tissues.wall;
   const float range = glm::distance(world, sector.apex);
   if (range < sector.firstRange) return std::numeric_limits<float>::infinity();
   const vec3 beam = (world - sector.apex) / range;
@@ -211,7 +211,7 @@ float lossBefore(const SectorGrid& sector, const Sight& sight, const vec3& world
   for (float r = sector.firstRange; r < range - kSkip; r += step) {
     const vec3 p = sector.apex + beam * r;
     const float toSkin = skin.value(p);
-    const float toStrands = sight.strands ? sight.strands->value(p) : kNear + toSkin;
+    const float toStrands = tissues.strands ? tissues.strands->value(p) : kNear + toSkin;
     if (toSkin < 0 || toStrands < kInCord) return std::numeric_limits<float>::infinity();
     step = std::max(kStep, 0.8f * std::min({toSkin - kNear, std::abs(wall.value(p)), toStrands}));
     if (wall.value(p) < 0) loss += kLossMother * step;

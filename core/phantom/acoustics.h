@@ -43,10 +43,10 @@ std::vector<float> echoAmplitude(const SectorGrid& sector, const Anatomy& anatom
 
 // lossBefore: what the sound loses between the probe and the fluid 1 mm before `world`.
 //   output   dB, there and back; infinite where the baby or the cord is in the way, or before the first range
-struct Sight {
+struct TissueDistances {
   const DistanceGrid &skin, &wall;
   const DistanceGrid* strands = nullptr;
 };
-float lossBefore(const SectorGrid& sector, const Sight& sight, const glm::vec3& world);
+float lossBefore(const SectorGrid& sector, const TissueDistances& tissues, const glm::vec3& world);
 
 }  // namespace sonoskin

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/scene_acoustics.h"
+#include "core/phantom/scene_world.h"
 
 namespace sonoskin {
 

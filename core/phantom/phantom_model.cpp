@@ -83,10 +83,6 @@ BodyPart PhantomModel::part(const glm::dvec3& world) const {
   return onFace(p) ? BodyPart::face : BodyPart::head;
 }
 
-BodyPart PhantomModel::partNear(const glm::dvec3& world) const {
-  return std::abs(other(world)) < std::abs(skin(world)) ? BodyPart::other : part(world);
-}
-
 FacePlaces PhantomModel::facePlaces() const {
   const HeadPlaces h = headPlaces(shape_);
   return {pose_.toWorld(h.rightEye), pose_.toWorld(h.leftEye), pose_.toWorld(h.noseTip),

@@ -6,11 +6,11 @@
 #include "core/phantom/body_part.h"
 #include "core/phantom/cord.h"
 #include "core/phantom/fetal_arm.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/head_pose.h"
 #include "core/phantom/head_shape.h"
 #include "core/phantom/membranes.h"
 #include "core/phantom/phantom_options.h"
+#include "core/phantom/scene_world.h"
 
 namespace sonoskin {
 
@@ -44,8 +44,6 @@ class PhantomModel {
 
   // part: of the baby, to which a place on or near the skin belongs; never `other`.
   BodyPart part(const glm::dvec3& world) const;
-  // partNear: `other` where a place is nearer to other tissue's surface than to the skin, else its part.
-  BodyPart partNear(const glm::dvec3& world) const;
 
   // facePlaces: of this head in its pose; on the skin of the face, also where a hand lies on it.
   FacePlaces facePlaces() const;

@@ -53,8 +53,8 @@ glm::dvec3 gradientOf(Distance&& distance, const glm::dvec3& p) {
 // Truth: finishes the vertices of a mesh one by one.
 class Truth {
  public:
-  Truth(const SectorGrid& sector, const PhantomModel& model, const Sight& sight)
-      : sector_(sector), model_(model), sight_(sight) {}
+  Truth(const SectorGrid& sector, const PhantomModel& model, const TissueDistances& tissues)
+      : sector_(sector), model_(model), tissues_(tissues) {}
 
   // finish: moves a vertex of the skin onto the exact surface, and finds its normal, visibility and label.
   void finish(Mesh& mesh, std::size_t v) const {
@@ -74,7 +74,7 @@ class Truth {
     if (boxDistance(p) > -double(kBorder) || !sector_.contains(p, kBorder)) return false;
     if (glm::dot(normal, glm::normalize(sector_.apex - p)) <= kFacing) return false;
     if (model_.isCrowded() && isCovered(p, normal)) return false;
-    return lossBefore(sector_, sight_, p) < kShadow;
+    return lossBefore(sector_, tissues_, p) < kShadow;
   }
 
   bool isCovered(const glm::vec3& p, const glm::vec3& normal) const {
@@ -83,7 +83,7 @@ class Truth {
 
   const SectorGrid& sector_;
   const PhantomModel& model_;
-  const Sight sight_;
+  const TissueDistances tissues_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/phantom/fetal_face.h"
+#include "core/phantom/scene_world.h"
 
 namespace sonoskin {
 namespace {

@@ -19,9 +19,13 @@ float amplitudeOf(float decibel) { return std::pow(10.f, decibel / 20); }
 // Streams of random numbers: real and imaginary part of scatterers and of the receiver's noise.
 enum Stream : std::uint32_t { kScatterRe = 10, kScatterIm, kNoiseRe, kNoiseIm };
 
+// SlabTaps: the point spread function within one elevation.
+struct SlabTaps {
+  std::vector<float> range, lateral;
+};
+
 // fillSlab: scatterers of one elevation, smeared along range and lateral angle. In: amplitudes in re.
-void fillSlab(const SectorGrid& s, int k, int seed, const std::vector<float>& alongRange,
-              const std::vector<float>& alongLateral, float* re, float* im) {
+void fillSlab(const SectorGrid& s, int k, int seed, const SlabTaps& taps, float* re, float* im) {
   thread_local std::vector<float> scratch;
   const std::size_t count = s.row(0, 1);
   const auto first = std::uint32_t(s.row(0, k));
@@ -34,8 +38,8 @@ void fillSlab(const SectorGrid& s, int k, int seed, const std::vector<float>& al
   }
   for (float* part : {re, im}) {
     for (int j = 0; j < s.laterals; ++j)
-      blurRow(part + s.row(j, 0), std::size_t(s.ranges), alongRange, scratch);
-    blurAcross(part, std::size_t(s.laterals), std::size_t(s.ranges), std::size_t(s.ranges), alongLateral,
+      blurRow(part + s.row(j, 0), std::size_t(s.ranges), taps.range, scratch);
+    blurAcross(part, std::size_t(s.laterals), std::size_t(s.ranges), std::size_t(s.ranges), taps.lateral,
                scratch);
   }
 }
@@ -119,14 +123,14 @@ std::vector<float> speckleEnvelope(const SectorGrid& s, std::vector<float> ampli
                                    const Progress& progress) {
   addClutter(s, amplitude, noise, progress.part(0, 0.2));
   std::vector<float> re = std::move(amplitude), im(s.samples());
-  const auto alongRange = gaussTaps(spread.range / s.rangeStep, Keep::power);
-  const auto alongLateral = gaussTaps(spread.lateral / s.lateralStep(), Keep::power);
+  const SlabTaps taps{gaussTaps(spread.range / s.rangeStep, Keep::power),
+                      gaussTaps(spread.lateral / s.lateralStep(), Keep::power)};
   const auto alongElevation = gaussTaps(spread.elevation / s.elevationStep(), Keep::power);
   parallelFor(
       s.elevations,
       [&](std::ptrdiff_t k) {
         const std::size_t slab = s.row(0, int(k));
-        fillSlab(s, int(k), seed, alongRange, alongLateral, re.data() + slab, im.data() + slab);
+        fillSlab(s, int(k), seed, taps, re.data() + slab, im.data() + slab);
       },
       progress.part(0.2, 0.7));
   const auto smoothing = gaussTaps(kReceiveFilter, Keep::mean);

@@ -10,11 +10,11 @@
 namespace sonoskin {
 namespace {
 
-// Way: to a voxel of `others`, or to one of `kept` where the ways begin.
-struct Way {
+// Path: the shortest one so far from a voxel of `kept` to one of `others`.
+struct Path {
   float length;  // mm
   std::size_t voxel;
-  bool operator>(const Way& other) const { return length > other.length; }
+  bool operator>(const Path& other) const { return length > other.length; }
 };
 
 // The 26 steps to neighbours and their lengths, mm.
@@ -84,21 +84,21 @@ std::vector<SurfaceVoxel> growSides(const std::vector<SurfaceVoxel>& kept,
   for (std::size_t o = 0; o < others.size(); ++o) at.emplace(indexOf(others[o].voxel), o);
   const std::vector<Step> steps = stepsOf(geometry);
   std::vector<float> length(others.size(), std::numeric_limits<float>::infinity());
-  std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
-  const auto goOn = [&](const glm::ivec3& from, float soFar) {
+  std::priority_queue<Path, std::vector<Path>, std::greater<>> paths;
+  const auto relax = [&](const glm::ivec3& from, float soFar) {
     for (const Step& step : steps) {
       const auto found = at.find(indexOf(from + step.by));
       const float there = soFar + step.length;
       if (found == at.end() || there > float(reach) || there >= length[found->second]) continue;
       length[found->second] = there;
-      ways.push({there, found->second});
+      paths.push({there, found->second});
     }
   };
-  for (const SurfaceVoxel& v : kept) goOn(v.voxel, 0);
-  while (!ways.empty()) {
-    const Way way = ways.top();
-    ways.pop();
-    if (way.length <= length[way.voxel]) goOn(others[way.voxel].voxel, way.length);
+  for (const SurfaceVoxel& v : kept) relax(v.voxel, 0);
+  while (!paths.empty()) {
+    const Path path = paths.top();
+    paths.pop();
+    if (path.length <= length[path.voxel]) relax(others[path.voxel].voxel, path.length);
   }
   std::vector<SurfaceVoxel> grown = kept;
   for (std::size_t o = 0; o < others.size(); ++o)

@@ -50,13 +50,20 @@ class Envelope {
   std::size_t count_ = 0;
 };
 
-// Lowers every line of `lines` x `length` values: line n begins at start(n), its values are `stride` apart.
+// Lines of a volume along one axis: how many, the values of each, how far those lie apart in memory and in space.
+struct Lines {
+  std::size_t count, length, stride;
+  float step;
+};
+
+// Lowers every line; line n begins at start(n).
 template <class Start>
-void lowerLines(std::vector<float>& squared, std::size_t lines, std::size_t length, std::size_t stride,
-                float step, const Start& start, const Progress& progress) {
+void lowerLines(std::vector<float>& squared, const Lines& lines, const Start& start,
+                const Progress& progress) {
+  const auto [count, length, stride, step] = lines;
   constexpr std::size_t kLinesPerTask = 64;
   parallelBlocks(
-      lines, kLinesPerTask,
+      count, kLinesPerTask,
       [&](std::size_t firstLine, std::size_t endLine) {
         Envelope envelope(length);
         std::vector<float> line(length);
@@ -79,12 +86,12 @@ Volume<std::uint8_t> maskDepth(const Volume<std::uint8_t>& mask, const Progress&
   std::vector<float> squared(mask.data.size());
   for (std::size_t v = 0; v < squared.size(); ++v) squared[v] = mask.data[v] ? 1e12f : 0.0f;
   lowerLines(
-      squared, ny * nz, nx, 1, step.x, [&](std::size_t n) { return n * nx; }, progress.part(0, 0.3));
+      squared, {ny * nz, nx, 1, step.x}, [&](std::size_t n) { return n * nx; }, progress.part(0, 0.3));
   lowerLines(
-      squared, nx * nz, ny, nx, step.y, [&](std::size_t n) { return n / nx * nx * ny + n % nx; },
+      squared, {nx * nz, ny, nx, step.y}, [&](std::size_t n) { return n / nx * nx * ny + n % nx; },
       progress.part(0.3, 0.6));
   lowerLines(
-      squared, nx * ny, nz, nx * ny, step.z, [](std::size_t n) { return n; }, progress.part(0.6, 0.9));
+      squared, {nx * ny, nz, nx * ny, step.z}, [](std::size_t n) { return n; }, progress.part(0.6, 0.9));
   Volume<std::uint8_t> depth(g);
   for (std::size_t v = 0; v < squared.size(); ++v)  // the border is half a voxel before the voxel outside
     if (mask.data[v])

@@ -84,7 +84,7 @@ BENCHMARK(tangentialOperator)->Unit(benchmark::kMillisecond)->MeasureProcessCPUT
 
 void conjugateGradients(benchmark::State& state) {
   const ClassificationOptions options = optionsForBenchmarks();
-  const DataTerm term = dataTerm(*phantomInput().volume, smoothedInput().lowPassed, options);
+  const DataTerm term = dataTerm({*phantomInput().volume, smoothedInput().lowPassed, options});
   const NeighbourTerms k = neighbourTerms(smoothedInput(), options);
   int iterations = 0;
   for (auto _ : state) iterations = solvePcg(k, term, 1e-3).iterations;
@@ -132,7 +132,7 @@ void chebyshevSweeps(benchmark::State& state) {
   double voxels = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    scaleSystem(*phantomInput().volume, smoothedInput().lowPassed, k, options, {}, nullptr, system, u.data());
+    scaleSystem({*phantomInput().volume, smoothedInput().lowPassed, options}, k, nullptr, system, u.data());
     state.ResumeTiming();
     voxels += double(solveFast(k, system, 2e-3, u, scratch).updates);
   }
@@ -210,7 +210,7 @@ void slabEigenAssembled(benchmark::State& state) {
   setThreadCount(1);
   double solving = 0;
   for (auto _ : state) {
-    const DataTerm term = dataTerm(*system.volume, system.smoothed->lowPassed, optionsForBenchmarks());
+    const DataTerm term = dataTerm({*system.volume, system.smoothed->lowPassed, optionsForBenchmarks()});
     const auto a = assemble(*system.smoothed->directions, term, float(absoluteBeta(optionsForBenchmarks())));
     const Timer timer;
     const Eigen::Map<const Eigen::VectorXf> b(term.right.data(), Eigen::Index(term.right.size()));

@@ -26,7 +26,7 @@ struct System {
   explicit System(double tangentialLength = 3) {
     options.isoValue = 0.35;
     options.tangentialLength = tangentialLength;
-    scaleSystem(volume, volume, k(), options, {}, nullptr, scaled, start.data());
+    scaleSystem({volume, volume, options}, k(), nullptr, scaled, start.data());
   }
   NeighbourTerms k() const { return neighbourTerms(smoothed, options); }
   LargeArray<float> solve(double tolerance, FastSolution* solution = nullptr) const {
@@ -35,10 +35,10 @@ struct System {
     if (solution) *solution = found;
     return u;
   }
-  LargeArray<float> exact() const { return solvePcg(k(), dataTerm(volume, volume, options), 1e-7).u; }
+  LargeArray<float> exact() const { return solvePcg(k(), dataTerm({volume, volume, options}), 1e-7).u; }
   // |b - A u| / |b| in single precision, straight from the definition.
   double residual(const LargeArray<float>& u) const {
-    const DataTerm term = dataTerm(volume, volume, options);
+    const DataTerm term = dataTerm({volume, volume, options});
     const auto ku = test::applied(k(), u);
     double rr = 0, bb = 0;
     for (std::size_t v = 0; v < ku.size(); ++v) {
@@ -52,7 +52,7 @@ struct System {
 
 TEST(Chebyshev, StartsFromTheSolutionWithoutK) {
   const System s;
-  const DataTerm term = dataTerm(s.volume, s.volume, s.options);
+  const DataTerm term = dataTerm({s.volume, s.volume, s.options});
   for (std::size_t v = 0; v < s.start.size(); ++v)
     ASSERT_NEAR(s.start[v], term.right[v] / term.diagonal[v], 1e-6);
 }
@@ -89,7 +89,7 @@ TEST(Chebyshev, LeavesOutWhatDoesNotMove) {
   for (int k = 0; k < s.geometry.dims.z; ++k)
     for (int j = 15; j < s.geometry.dims.y; ++j) std::fill_n(&s.volume.at(0, j, k), s.geometry.dims.x, 0.0f);
   s.smoothed.directions = std::make_shared<const Directions>(cellDirections(s.volume, 0.02));
-  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, nullptr, s.scaled, s.start.data());
+  scaleSystem({s.volume, s.volume, s.options}, s.k(), nullptr, s.scaled, s.start.data());
   FastSolution solution;
   s.solve(1e-3, &solution);
   EXPECT_LT(double(solution.updates), 0.75 * solution.sweeps * double(s.geometry.voxels()));
@@ -101,8 +101,8 @@ TEST(Chebyshev, WarmStartIsNearer) {
   LargeArray<float> before = s.exact(), cold = s.start;
   s.options.isoValue += 0.01;
   LargeArray<float> warm(before.size());
-  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, before.data(), s.scaled, warm.data());
-  scaleSystem(s.volume, s.volume, s.k(), s.options, {}, nullptr, s.scaled, cold.data());
+  scaleSystem({s.volume, s.volume, s.options}, s.k(), before.data(), s.scaled, warm.data());
+  scaleSystem({s.volume, s.volume, s.options}, s.k(), nullptr, s.scaled, cold.data());
   EXPECT_LT(s.residual(warm), 0.4 * s.residual(cold));
 }
 

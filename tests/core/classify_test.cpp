@@ -48,7 +48,7 @@ TEST(Classify, EqualsADirectSolve) {
   const auto volume = test::speckledSphere(g, {1.7, 1.7, 3.3}, 1.0, 0.2);
   const auto options = optionsForTests();
   const Smoothed smoothed = smooth(volume, options);
-  const DataTerm term = dataTerm(volume, smoothed.lowPassed, options);
+  const DataTerm term = dataTerm({volume, smoothed.lowPassed, options});
   const NeighbourTerms k = neighbourTerms(smoothed, options);
   const Solution solution = solvePcg(k, term, 1e-6);
 
@@ -68,7 +68,7 @@ TEST(Classify, WithoutBetaIsTheClosedForm) {
   auto options = optionsForTests();
   options.beta = 0;
   const Smoothed smoothed = smooth(volume, options);
-  const DataTerm term = dataTerm(volume, smoothed.lowPassed, options);
+  const DataTerm term = dataTerm({volume, smoothed.lowPassed, options});
   const auto u = classify(volume, smoothed, options);
   for (std::size_t i = 0; i < g.voxels(); ++i) ASSERT_NEAR(u.data[i], term.right[i] / term.diagonal[i], 1e-6);
 }
@@ -107,7 +107,7 @@ TEST(Classify, OvershootsByLessThanTwoPercentBeforeTheClamp) {
   const auto options = optionsForTests();
   const Smoothed smoothed = smooth(volume, options);
   const NeighbourTerms k = neighbourTerms(smoothed, options);
-  const Solution solution = solvePcg(k, dataTerm(volume, smoothed.lowPassed, options), 1e-6);
+  const Solution solution = solvePcg(k, dataTerm({volume, smoothed.lowPassed, options}), 1e-6);
   const auto [least, most] = std::minmax_element(solution.u.begin(), solution.u.end());
   EXPECT_GT(*least, -0.02 * options.target);
   EXPECT_LT(*most, 1.02 * options.target);

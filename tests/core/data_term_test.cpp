@@ -20,7 +20,7 @@ TEST(DataTerm, OfARampIsTheFormula) {
   o.rawShare = 0.4;
   o.noiseFloor = 0.02;
   o.target = 0.9;
-  const DataTerm term = dataTerm(raw, ramp, o);
+  const DataTerm term = dataTerm({raw, ramp, o});
   const double g2 = 0.02 * 0.02 + 0.03 * 0.03, low = 0.02 * 3 + 0.03 * 8 - 0.25, high = low + 0.05;
   const double a = (0.4 * high * high + 0.6 * low * low + 0.0004) / (g2 + 1.5e-5);
   const double h = 0.1 + 0.9 * std::sqrt(g2) / 0.1;
@@ -53,7 +53,7 @@ TEST(DataTerm, IsBoundedFarFromTheIsoValue) {
   ClassificationOptions o;
   o.isoValue = 0.9;
   const Volume<float> flat(g, 0.0f);
-  const DataTerm term = dataTerm(flat, flat, o);
+  const DataTerm term = dataTerm({flat, flat, o});
   EXPECT_NEAR(term.diagonal[g.index(3, 3, 3)], 256 + 0.1, 1e-3);  // alpha 16^2 + gamma delta
 }
 
@@ -63,7 +63,7 @@ TEST(DataTerm, FarthestIsTheBound) {
   o.isoValue = 0.9;
   o.farthest = 5;
   const Volume<float> flat(g, 0.0f);
-  EXPECT_NEAR(dataTerm(flat, flat, o).diagonal[g.index(3, 3, 3)], 25 + 0.1, 1e-4);
+  EXPECT_NEAR(dataTerm({flat, flat, o}).diagonal[g.index(3, 3, 3)], 25 + 0.1, 1e-4);
 }
 
 // With all the weight on one volume the other counts through its gradients alone.
@@ -75,9 +75,9 @@ TEST(DataTerm, GradientsComeFromTheChosenVolume) {
   o.isoValue = 0.3;
   o.gamma = 2;
   const std::size_t middle = g.index(3, 3, 3);
-  EXPECT_NEAR(dataTerm(steep, gentle, o).right[middle], 2 * (0.1 + 0.9 * 0.2), 1e-5);
+  EXPECT_NEAR(dataTerm({steep, gentle, o}).right[middle], 2 * (0.1 + 0.9 * 0.2), 1e-5);
   o.gradientSource = GradientSource::raw;
-  EXPECT_NEAR(dataTerm(steep, gentle, o).right[middle], 2 * (0.1 + 0.9 * 0.9), 1e-5);
+  EXPECT_NEAR(dataTerm({steep, gentle, o}).right[middle], 2 * (0.1 + 0.9 * 0.9), 1e-5);
 }
 
 TEST(DataTerm, BetaFollowsTheTangentialLength) {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/support/first_phantom.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -131,7 +131,7 @@ TEST(EdgePlacement, StopsWhenCancelled) {
 double medianDistance(const Results& results) {
   std::vector<double> distances;
   for (const glm::vec3& p : results.points->positions)
-    if (const double d = skinDistance(glm::dvec3(p)); std::abs(d) < 2.5) distances.push_back(d);
+    if (const double d = test::skinDistance(glm::dvec3(p)); std::abs(d) < 2.5) distances.push_back(d);
   EXPECT_GT(distances.size(), 1000u);
   const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());

@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/face/face_refine.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/random_field.h"
 #include "tests/support/face_points.h"
+#include "tests/support/first_phantom.h"
 
 namespace sonoskin {
 namespace {
@@ -106,7 +106,7 @@ TEST(FaceFit, SeesNoFaceWhereThereIsNone) {
   expectNoFace(test::sampleSurface(back, 60, noisy), "back of the head");
   const auto wall = [](const vec3& p) {
     const glm::dvec3 world{70 + double(p.x), 10 - double(p.z), 56 + double(p.y)};
-    return float(wallDistance(world));
+    return float(test::wallDistance(world));
   };
   expectNoFace(test::sampleSurface(wall, 50, noisy), "wall of the uterus");
 }

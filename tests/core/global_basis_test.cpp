@@ -4,12 +4,20 @@
 
 #include <cmath>
 
+#include "core/rbf/global/global_kernels.h"
 #include "tests/support/global_sites.h"
 
 namespace sonoskin {
 namespace {
 
 using test::kAllBases;
+
+// φ'(r)/r, from r².
+double kernelSlope(const RadialKernel& kernel, double squared) {
+  KernelChunk chunk = KernelChunk::Constant(1, squared);
+  withKernel(kernel, [&](const auto& k) { k.slope(chunk); });
+  return chunk[0];
+}
 
 TEST(GlobalBasis, HasTheValuesOfItsFormula) {
   const double r = 0.6, w = 1.5, c = 1 / (w * w), t = r / w;

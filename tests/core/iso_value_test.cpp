@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "core/io/volume_reader.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom.h"
 #include "core/volume/gaussian.h"
+#include "tests/support/first_phantom.h"
 #include "tests/support/test_volumes.h"
 
 namespace sonoskin {
@@ -136,10 +136,11 @@ Greys trueGreys(const Scan& scan) {
     for (int j = 0; j < g.dims.y; ++j)
       for (int i = 0; i < g.dims.x; i += 2) {
         const glm::dvec3 p = g.toWorld({i, j, k});
-        const double value = double(scan.volume->at(i, j, k)), d = skinDistance(p);
+        const double value = double(scan.volume->at(i, j, k)), d = test::skinDistance(p);
         if (value <= 0) continue;
-        const bool fluid = d > 3 && wallDistance(p) > 3, skin = d < 0 && d > -0.9 && p.y < 45;
-        if (skin && skinDistance(p - 0.2 * scan.beam->directionAt(p)) - d < 0.14) continue;  // turned away
+        const bool fluid = d > 3 && test::wallDistance(p) > 3, skin = d < 0 && d > -0.9 && p.y < 45;
+        if (skin && test::skinDistance(p - 0.2 * scan.beam->directionAt(p)) - d < 0.14)
+          continue;  // turned away
         if (!fluid && !skin) continue;
         sum[skin] += value, count[skin] += 1;
       }

@@ -22,6 +22,16 @@ struct Case {
   LambdaSystem system;
 };
 
+// The system of these centres, as fitLambda solves it.
+LambdaSystem systemOf(const SortedPoints& points, const CentreSelection& selection, FunctionForm form) {
+  const CoverageRows byCentre = coverageByCentre(points, selection.centres);
+  CoverageRows shares = coverageByPoint(byCentre, points.size());
+  if (form == FunctionForm::normalised)
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (CoverageEntry* e = shares.begin(k); e < shares.end(k); ++e) e->phi /= selection.overlap[k];
+  return sumLambdaSystem(points, shares, valuesAtPoints(selection, form), selection.centres.size());
+}
+
 Case makeCase(FunctionForm form = FunctionForm::normalised) {
   ReconstructionOptions options;
   options.smoothness = 6e-4;
@@ -29,7 +39,7 @@ Case makeCase(FunctionForm form = FunctionForm::normalised) {
   c.points = sortPoints(spherePoints(2000, 12, 0.2), options);
   c.selection = selectCentres(c.points, options);
   c.centres = c.selection.centres;
-  c.system = assembleLambdaSystem(c.points, c.selection, form);
+  c.system = systemOf(c.points, c.selection, form);
   return c;
 }
 

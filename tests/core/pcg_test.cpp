@@ -18,7 +18,7 @@ struct System {
   System() {
     ClassificationOptions o;
     o.isoValue = 0.35;
-    term = dataTerm(volume, volume, o);
+    term = dataTerm({volume, volume, o});
   }
 };
 

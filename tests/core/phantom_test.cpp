@@ -8,8 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/phantom/fetal_face.h"
+#include "core/phantom/scene_world.h"
 #include "core/phantom/sector_grid.h"
+#include "tests/support/first_phantom.h"
 
 namespace sonoskin {
 namespace {
@@ -41,11 +42,11 @@ double contrastToNoise(double snr) {
       for (int i = 0; i < g.dims.x; ++i) {
         const glm::dvec3 p = g.toWorld({i, j, k});
         if (p.y > 45 || !sector.contains(glm::vec3(p), 4)) continue;
-        const double d = skinDistance(p);
+        const double d = test::skinDistance(p);
         if (std::abs(d + 0.45) < 0.45) {
-          const double ahead = skinDistance(p - 0.2 * scan.beam->directionAt(p));
+          const double ahead = test::skinDistance(p - 0.2 * scan.beam->directionAt(p));
           if (ahead - d > 0.14) skin.add(scan.volume->at(i, j, k));  // cosine above 0.7
-        } else if (d > 3 && wallDistance(p) > 3 && p.y < 35) {
+        } else if (d > 3 && test::wallDistance(p) > 3 && p.y < 35) {
           fluid.add(scan.volume->at(i, j, k));
         }
       }

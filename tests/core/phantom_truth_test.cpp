@@ -5,8 +5,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/mesh/facts/mesh_check.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom.h"
+#include "core/phantom/scene_world.h"
+#include "tests/support/first_phantom.h"
 
 namespace sonoskin {
 namespace {
@@ -39,7 +40,7 @@ TEST(PhantomTruth, IsAClosedSurface) {
 TEST(PhantomTruth, LiesOnTheSkin) {
   int creases = 0;
   for (const glm::vec3& p : truth().positions)
-    if (!onCap(p)) creases += std::abs(skinDistance(glm::dvec3(p))) > 0.02;
+    if (!onCap(p)) creases += std::abs(test::skinDistance(glm::dvec3(p))) > 0.02;
   EXPECT_LT(creases, int(truth().positions.size() / 500));
 }
 
@@ -84,8 +85,8 @@ TEST(PhantomTruth, NothingHidesWhatIsSeen) {
     if (mesh.visibility[v] == 0) continue;
     ++seen;
     const glm::dvec3 p(mesh.positions[v]), back = glm::normalize(apex - p);
-    for (double t = 1.5; (p + back * t).y > 0; t += std::max(0.3, 0.7 * skinDistance(p + back * t)))
-      ASSERT_GT(skinDistance(p + back * t), -0.15) << p.x << ' ' << p.y << ' ' << p.z;
+    for (double t = 1.5; (p + back * t).y > 0; t += std::max(0.3, 0.7 * test::skinDistance(p + back * t)))
+      ASSERT_GT(test::skinDistance(p + back * t), -0.15) << p.x << ' ' << p.y << ' ' << p.z;
   }
   EXPECT_GT(seen, 100);
 }
@@ -104,7 +105,7 @@ double share(BodyPart part, const glm::vec3& low, const glm::vec3& high) {
 
 TEST(PhantomTruth, LabelsTheParts) {
   ASSERT_EQ(truth().labels.size(), truth().positions.size());
-  const FacePlaces f = facePlaces();
+  const FacePlaces f = test::firstPhantom().facePlaces();
   for (const glm::dvec3& p : {f.rightEye, f.leftEye, f.noseTip, f.mouthRight})
     EXPECT_EQ(share(BodyPart::face, glm::vec3(p) - 4.f, glm::vec3(p) + 4.f), 1);
   EXPECT_EQ(share(BodyPart::head, {0, 50, 30}, {18, 76.4f, 80}), 1) << "crown";

@@ -70,31 +70,31 @@ struct DepthRange {
   }
 };
 
-// Sky: of one vertex; open: the sum of the open directions, each times its cosine.
-struct Sky {
+// Openness: of one vertex; open: the sum of the open directions, each times its cosine.
+struct Openness {
   glm::vec3 open{0};
   float openWeight = 0, weight = 0;
 };
 
 // Adds what one direction and its opposite show to every vertex.
-void look(const Mesh& mesh, const std::vector<glm::vec3>& normals, const DepthRange& range,
-          std::vector<Sky>& sky) {
-  for (std::size_t i = 0; i < sky.size(); ++i) {
+void addDirection(const Mesh& mesh, const std::vector<glm::vec3>& normals, const DepthRange& range,
+                  std::vector<Openness>& openness) {
+  for (std::size_t i = 0; i < openness.size(); ++i) {
     const float cosine = glm::dot(normals[i], range.direction), weight = std::abs(cosine);
-    sky[i].weight += weight;
+    openness[i].weight += weight;
     if (!range.isOpen(mesh.positions[i] + range.pixel * normals[i], cosine > 0)) continue;
-    sky[i].openWeight += weight;
-    sky[i].open += cosine * range.direction;
+    openness[i].openWeight += weight;
+    openness[i].open += cosine * range.direction;
   }
 }
 
-std::vector<Sky> lookAround(const Mesh& mesh, const std::vector<glm::vec3>& normals, int directions,
-                            const Progress& progress) {
+std::vector<Openness> openDirections(const Mesh& mesh, const std::vector<glm::vec3>& normals, int directions,
+                                     const Progress& progress) {
   // A fixed number of sums, whatever the number of threads.
   constexpr std::ptrdiff_t kSums = 8;
   const Box box = boundingBox(mesh.positions);
   const std::vector<glm::vec3> half = halfSphere(std::max(1, directions / 2));
-  std::vector<std::vector<Sky>> sums(kSums, std::vector<Sky>(mesh.positions.size()));
+  std::vector<std::vector<Openness>> sums(kSums, std::vector<Openness>(mesh.positions.size()));
   parallelFor(
       kSums,
       [&](std::ptrdiff_t s) {
@@ -103,7 +103,7 @@ std::vector<Sky> lookAround(const Mesh& mesh, const std::vector<glm::vec3>& norm
           progress.throwIfCancelled();
           DepthRange range(half[d], box.centre(), std::max(box.diagonal(), 1e-6f));
           range.draw(mesh, projected);
-          look(mesh, normals, range, sums[std::size_t(s)]);
+          addDirection(mesh, normals, range, sums[std::size_t(s)]);
         }
       },
       progress);
@@ -127,11 +127,11 @@ SurfaceTraits measureTraits(const Mesh& mesh, int directions, double radius, con
     computeNormals(withNormals);
   }
   const std::vector<glm::vec3>& normals = mesh.normals.empty() ? withNormals.normals : mesh.normals;
-  const std::vector<Sky> sky = lookAround(mesh, normals, directions, progress.part(0.2, 1));
-  for (std::size_t i = 0; i < sky.size(); ++i) {
-    const float length = glm::length(sky[i].open),
-                open = sky[i].weight > 0 ? sky[i].openWeight / sky[i].weight : 1;
-    traits.occlusion.emplace_back(length > 0 ? sky[i].open / length : normals[i], open);
+  const std::vector<Openness> openness = openDirections(mesh, normals, directions, progress.part(0.2, 1));
+  for (std::size_t i = 0; i < openness.size(); ++i) {
+    const float length = glm::length(openness[i].open),
+                open = openness[i].weight > 0 ? openness[i].openWeight / openness[i].weight : 1;
+    traits.occlusion.emplace_back(length > 0 ? openness[i].open / length : normals[i], open);
   }
   return traits;
 }

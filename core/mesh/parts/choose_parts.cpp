@@ -131,17 +131,29 @@ bool mayBeLimb(const Part& part, const FaceSite& face) {
   return isBelowChin(part, face) || glm::dot(part.centre - face.ears, face.front) > kBeforeEars * face.height;
 }
 
+// Choice: what is known while parts are chosen.
+//   face    the part that is the measure of the others
+//   onFace  of each part the area that lies on the face, mm²
+//   counts  the parts that have been chosen so far
+struct Choice {
+  const SurfaceParts& parts;
+  const Neighbours& all;
+  const PartView& view;
+  std::size_t face;
+  std::vector<double> onFace;
+  std::vector<bool> counts;
+};
+
 // Why a part stays or goes, beside those that count so far.
-PartReason reasonFor(std::size_t p, const SurfaceParts& parts, const Neighbours& all, const Part& face,
-                     const PartView& view, const PartVerdict& shown, double onFace,
-                     const std::vector<bool>& counts) {
-  const Part& part = parts.parts[p];
+PartReason reasonFor(std::size_t p, const PartVerdict& shown, const Choice& choice) {
+  const auto& [parts, all, view, faceAt, onFace, counts] = choice;
+  const Part &part = parts.parts[p], &face = parts.parts[faceAt];
   const double share = shown.share;
   if (shown.seen < kSeen && share < kSeenMiddle) return PartReason::hidden;
   if (isWall(part, face, view.beam)) return PartReason::wall;
   if (part.area < kLeastArea) return PartReason::debris;
   if (!all.isNear(p, kNear, counts)) return PartReason::far;
-  if (onFace > kMostOnFace * part.area) return PartReason::onFace;
+  if (onFace[p] > kMostOnFace * part.area) return PartReason::onFace;
   if (view.companions >= 1) return PartReason::hidden;
   if (view.face && !mayBeLimb(part, *view.face)) return PartReason::aside;
   const bool isBody = view.face && shown.seen >= kLimbSeen && isBelowChin(part, *view.face);
@@ -170,22 +182,23 @@ std::vector<PartVerdict> chooseParts(const Mesh& mesh, const SurfaceParts& parts
     verdicts[p].share = shown.centred[p] / std::max(shown.centred[face], 1e-9);
     verdicts[p].seen = shown.seen[p] / std::max(shown.seen[face], 1e-9);
   }
-  std::vector<bool> dropped(verdicts.size(), false), counts(verdicts.size(), false);
+  std::vector<bool> dropped(verdicts.size(), false);
+  Choice choice{parts, all, view, face, onFace, std::vector<bool>(verdicts.size(), false)};
   for (const std::uint32_t p : view.dropped) dropped[p] = true;
   verdicts[face].reason = PartReason::face;
   verdicts[face].isFace = verdicts[face].proposed = true;
-  counts[face] = true;  // it is the measure of the others even where it is taken away
+  choice.counts[face] = true;  // it is the measure of the others even where it is taken away
   // Each part that is kept may bring others near; the larger come first.
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t p = 0; p < verdicts.size(); ++p) {
       if (verdicts[p].proposed) continue;
-      verdicts[p].reason = reasonFor(p, parts, all, parts.parts[face], view, verdicts[p], onFace[p], counts);
+      verdicts[p].reason = reasonFor(p, verdicts[p], choice);
       const PartReason reason = verdicts[p].reason;
       if (reason != PartReason::onFace && reason != PartReason::beside && reason != PartReason::joins)
         continue;
       verdicts[p].proposed = grown = true;
-      counts[p] = !dropped[p];
+      choice.counts[p] = !dropped[p];
     }
   }
   for (std::size_t p = 0; p < verdicts.size(); ++p) {

@@ -28,9 +28,9 @@ std::vector<Triangle> simplify(const std::vector<glm::vec3>& positions,
 
 using Call = std::packaged_task<std::vector<Triangle>()>;
 
-// Abandoned: calls that nobody waits for any more. They end by themselves, but not at once: the next call lets them, so that
+// AbandonedCalls: calls that nobody waits for any more. They end by themselves, but not at once: the next call lets them, so that
 // however often somebody thinks better of it, one thread and one copy of a mesh at most are left behind.
-class Abandoned {
+class AbandonedCalls {
  public:
   void add(std::weak_ptr<Call> call) {
     const std::lock_guard lock(mutex_);
@@ -58,7 +58,7 @@ class Abandoned {
 std::vector<Triangle> simplifyAside(const Mesh& mesh, std::vector<Triangle> triangles, std::size_t wanted,
                                     const Progress& progress) {
   if (triangles.size() <= wanted) return triangles;
-  static Abandoned abandoned;
+  static AbandonedCalls abandoned;
   abandoned.letEnd(progress);
   auto call = std::make_shared<Call>([positions = mesh.positions, all = std::move(triangles), wanted] {
     return simplify(positions, all, wanted);

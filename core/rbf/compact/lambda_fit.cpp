@@ -42,12 +42,6 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-LambdaSystem assembleLambdaSystem(const SortedPoints& points, const CentreSelection& selection,
-                                  FunctionForm form, const Progress& progress) {
-  return sumLambdaSystem(points, findShares(points, selection, form, progress.part(0, 0.5)),
-                         valuesAtPoints(selection, form), selection.centres.size(), progress.part(0.5, 1));
-}
-
 std::vector<double> solveLambda(const LambdaSystem& system, const std::vector<Centre>& centres,
                                 double regularisation, const Progress& progress) {
   const std::size_t size = system.size();

@@ -12,12 +12,6 @@ namespace sonoskin {
 // same zero set for the same λ, but the systems that λ solves differ.
 enum class FunctionForm { normalised, plain };
 
-// assembleLambdaSystem: the system of these centres.
-//   errors    Cancelled
-LambdaSystem assembleLambdaSystem(const SortedPoints& points, const CentreSelection& selection,
-                                  FunctionForm form = FunctionForm::normalised,
-                                  const Progress& progress = {});
-
 // solveLambda: λ of (A + T_reg Dg) λ = b with Dg_ii = 1/(M σ_i²).                         [thesis 3.23 to 3.25]
 //   method   conjugate gradients, Jacobi preconditioner, until |residual| <= 1e-4 |b|; A is symmetric and positive
 //            semi-definite

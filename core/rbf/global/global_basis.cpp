@@ -36,10 +36,4 @@ double kernelValue(const RadialKernel& kernel, double squared) {
   return chunk[0];
 }
 
-double kernelSlope(const RadialKernel& kernel, double squared) {
-  KernelChunk chunk = KernelChunk::Constant(1, squared);
-  withKernel(kernel, [&](const auto& k) { k.slope(chunk); });
-  return chunk[0];
-}
-
 }  // namespace sonoskin

@@ -21,8 +21,7 @@ bool hasWidth(GlobalBasis basis);
 // unit. What is measured by it, as the nugget, means the same in any unit and about the same for any basis.
 double kernelVariation(const RadialKernel& kernel, double distance);
 
-// kernelValue, kernelSlope: φ(r) and φ'(r)/r, from r².
+// kernelValue: φ(r), from r².
 double kernelValue(const RadialKernel& kernel, double squared);
-double kernelSlope(const RadialKernel& kernel, double squared);
 
 }  // namespace sonoskin

@@ -24,10 +24,16 @@ void squaredDistances(const Sites& sites, std::size_t first, std::size_t count, 
           (arrayOf(sites.z).segment(from, n) - p.z).square();
 }
 
-// Both halves of a tile of A w: rows [row, rowEnd) and the columns of one chunk, all of them later than the rows.
+// A tile of A: rows [row, rowEnd) and the columns of one chunk, all of them later than the rows.
+struct MatrixTile {
+  std::size_t row, rowEnd, column;
+};
+
+// Both halves of a tile of A w.
 template <class Kernel>
-void addTile(const Kernel& kernel, const Sites& sites, const VectorRef& w, std::size_t row,
-             std::size_t rowEnd, std::size_t column, Eigen::VectorXd& out) {
+void addTile(const Kernel& kernel, const Sites& sites, const VectorRef& w, const MatrixTile& tile,
+             Eigen::VectorXd& out) {
+  const auto [row, rowEnd, column] = tile;
   const std::size_t count = std::min(kKernelChunk, sites.size() - column);
   const auto at = Eigen::Index(column), n = Eigen::Index(count);
   const KernelChunk weights = w.segment(at, n).array();
@@ -110,7 +116,7 @@ Eigen::VectorXd kernelProduct(const RadialKernel& kernel, const Sites& sites, co
         const std::size_t rowEnd = std::min(row + kKernelChunk, n);
         addDiagonalTile(k, sites, weights, row, rowEnd, out);
         for (std::size_t column = rowEnd; column < n; column += kKernelChunk)
-          addTile(k, sites, weights, row, rowEnd, column, out);
+          addTile(k, sites, weights, {row, rowEnd, column}, out);
       }
     });
   };

@@ -42,29 +42,29 @@ constexpr Offsets bitOf(const std::array<int, 3>& offset) {
   return 1u << (offset[0] + 1 + 3 * (offset[1] + 1) + 9 * (offset[2] + 1));
 }
 
-// Reach: an edge along an axis that starts at one of these nodes has cells in the brick `here`, and if it ends in the
+// EdgeCells: an edge along an axis that starts at one of these nodes has cells in the brick `here`, and if it ends in the
 // next brick along the axis, in `next` too.
-struct Reach {
+struct EdgeCells {
   NodeSet nodes = ~NodeSet(0);
   Offsets here = 0, next = 0;
 };
 
 // The cells around an edge reach one node to either side along the other two axes.
-constexpr std::array<std::array<Reach, 9>, 3> kReach = [] {
-  std::array<std::array<Reach, 9>, 3> result{};
+constexpr std::array<std::array<EdgeCells, 9>, 3> kEdgeCells = [] {
+  std::array<std::array<EdgeCells, 9>, 3> result{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 9; ++k) {
       const std::array<std::size_t, 2> along{(axis + 1) % 3, (axis + 2) % 3};
       const std::array<int, 2> steps{int(k % 3) - 1, int(k / 3) - 1};
-      Reach& reach = result[axis][k];
+      EdgeCells& edge = result[axis][k];
       std::array<int, 3> offset{};
       for (std::size_t i = 0; i < 2; ++i) {
         offset[along[i]] = steps[i];
-        if (steps[i] != 0) reach.nodes &= kLayer[along[i]][steps[i] < 0 ? 0 : kBrickEdge - 1];
+        if (steps[i] != 0) edge.nodes &= kLayer[along[i]][steps[i] < 0 ? 0 : kBrickEdge - 1];
       }
-      reach.here = bitOf(offset);
+      edge.here = bitOf(offset);
       offset[axis] = 1;
-      reach.next = bitOf(offset);
+      edge.next = bitOf(offset);
     }
   return result;
 }();
@@ -73,9 +73,9 @@ constexpr std::array<std::array<Reach, 9>, 3> kReach = [] {
 Offsets neededBy(NodeSet cut, int axis) {
   const NodeSet ending = cut & kLayer[std::size_t(axis)][kBrickEdge - 1];
   Offsets needed = 0;
-  for (const Reach& reach : kReach[std::size_t(axis)]) {
-    needed |= cut & reach.nodes ? reach.here : 0;
-    needed |= ending & reach.nodes ? reach.next : 0;
+  for (const EdgeCells& edge : kEdgeCells[std::size_t(axis)]) {
+    needed |= cut & edge.nodes ? edge.here : 0;
+    needed |= ending & edge.nodes ? edge.next : 0;
   }
   return needed;
 }

@@ -7,8 +7,8 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/search/triangle_tree.h"
 #include "core/phantom/body_part.h"
-#include "core/phantom/fetal_face.h"
 #include "core/phantom/phantom_options.h"
+#include "core/phantom/scene_world.h"
 
 namespace sonoskin::accuracy {
 

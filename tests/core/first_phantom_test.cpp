@@ -1,4 +1,4 @@
-#include "core/phantom/fetal_face.h"
+#include "tests/support/first_phantom.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,8 @@ class Places {
 // firstHit: depth y at which a line from the probe's side meets the skin.
 double firstHit(double x, double z) {
   double y = 12;
-  while (y < 75 && skinDistance({x, y, z}) > 0.005) y += std::max(0.004, 0.7 * skinDistance({x, y, z}));
+  while (y < 75 && test::skinDistance({x, y, z}) > 0.005)
+    y += std::max(0.004, 0.7 * test::skinDistance({x, y, z}));
   return y;
 }
 
@@ -45,9 +46,9 @@ TEST(FetalFace, IsADistanceNearTheSkin) {
   int steep = 0, near = 0;
   for (int n = 0; n < 400000; ++n) {
     const dvec3 p = places.next();
-    const double d = skinDistance(p);
+    const double d = test::skinDistance(p);
     if (std::abs(d) > 3) continue;
-    const double slope = glm::length(gradientOf(skinDistance, p));
+    const double slope = glm::length(gradientOf(test::skinDistance, p));
     ++near;
     steep += slope > 1.25;
     if (std::abs(d) < 0.3) atSkin.push_back(slope);
@@ -65,10 +66,10 @@ TEST(FetalFace, HasNoJumps) {
   int near = 0;
   for (int n = 0; n < 200000; ++n) {
     const dvec3 p = places.next(), q = p + 0.002 * (places.next() / kFieldOfView - 0.5);
-    const double d = skinDistance(p);
+    const double d = test::skinDistance(p);
     if (d > -4 && d < 8) {
       ++near;
-      ASSERT_LT(std::abs(skinDistance(q) - d), 0.006) << p.x << ' ' << p.y << ' ' << p.z;
+      ASSERT_LT(std::abs(test::skinDistance(q) - d), 0.006) << p.x << ' ' << p.y << ' ' << p.z;
     }
   }
   EXPECT_GT(near, 20000);
@@ -78,8 +79,8 @@ TEST(FetalFace, HeadIsAbout75MillimetresAcross) {
   double width = 0;
   for (double x = 34; x < 44; x += 1) {
     double low = 56, high = 56;
-    while (skinDistance({x, 73, low}) < 0) low -= 0.1;
-    while (skinDistance({x, 73, high}) < 0) high += 0.1;
+    while (test::skinDistance({x, 73, low}) < 0) low -= 0.1;
+    while (test::skinDistance({x, 73, high}) < 0) high += 0.1;
     width = std::max(width, high - low);
   }
   EXPECT_NEAR(width, 75, 3);
@@ -118,9 +119,9 @@ TEST(FetalFace, BonesLieUnderTheSkin) {
   int inBone = 0;
   for (int n = 0; n < 200000; ++n) {
     const dvec3 p = places.next();
-    if (boneDistance(p) > 0) continue;
+    if (test::boneDistance(p) > 0) continue;
     ++inBone;
-    ASSERT_LT(skinDistance(p), -0.5) << p.x << ' ' << p.y << ' ' << p.z;
+    ASSERT_LT(test::skinDistance(p), -0.5) << p.x << ' ' << p.y << ' ' << p.z;
   }
   EXPECT_GT(inBone, 1000);
 }
@@ -132,18 +133,18 @@ TEST(FetalFace, FluidSeparatesTheFaceFromTheWall) {
       const double y = firstHit(x, z);
       if (y < 45) {
         ++onFace;
-        EXPECT_GT(wallDistance({x, y, z}), 4) << x << ' ' << z;
+        EXPECT_GT(test::wallDistance({x, y, z}), 4) << x << ' ' << z;
       }
     }
   EXPECT_GT(onFace, 100);
-  EXPECT_LT(wallDistance({70, 3, 56}), 0);
+  EXPECT_LT(test::wallDistance({70, 3, 56}), 0);
 }
 
 // The places are the skin's own, and lie to each other as in a face that looks at the probe with its head toward -x.
 TEST(FetalFace, ItsPlacesLieOnTheSkin) {
-  const FacePlaces f = facePlaces();
+  const FacePlaces f = test::firstPhantom().facePlaces();
   for (const dvec3& p : {f.rightEye, f.leftEye, f.noseTip, f.mouthRight, f.mouthLeft})
-    EXPECT_NEAR(skinDistance(p), 0, 0.05);
+    EXPECT_NEAR(test::skinDistance(p), 0, 0.05);
   EXPECT_NEAR(glm::distance(f.rightEye, f.leftEye), 28.8, 0.5);
   EXPECT_NEAR(glm::distance(f.mouthRight, f.mouthLeft), 22, 0.5);
   EXPECT_GT(f.leftEye.z, f.rightEye.z + 25) << "z points to the baby's left";
