@@ -35,7 +35,7 @@ TEST(DataTerm, GradientsAreTakenAlongEveryAxisButNotOnTheSides) {
   o.isoValue = 0.3;
   for (int axis = 0; axis < 3; ++axis) {
     const auto ramp = test::fill(g, [&](glm::dvec3 p) { return 0.06 * p[axis]; });
-    const DataTerm term = dataTerm(ramp, ramp, o);
+    const DataTerm term = dataTerm({ramp, ramp, o});
     for (int k = 0; k < g.dims.z; ++k)
       for (int j = 0; j < g.dims.y; ++j)
         for (int i = 0; i < g.dims.x; ++i) {
@@ -45,7 +45,7 @@ TEST(DataTerm, GradientsAreTakenAlongEveryAxisButNotOnTheSides) {
         }
   }
   const auto steep = test::fill(g, [&](glm::dvec3 p) { return 0.3 * p.x; });
-  EXPECT_NEAR(dataTerm(steep, steep, o).right[g.index(3, 3, 3)], 1, 1e-6);
+  EXPECT_NEAR(dataTerm({steep, steep, o}).right[g.index(3, 3, 3)], 1, 1e-6);
 }
 
 TEST(DataTerm, IsBoundedFarFromTheIsoValue) {
