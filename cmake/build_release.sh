@@ -8,7 +8,9 @@ cmake/install_packages.sh
 # ccache, where somebody has it, makes the second build of a clone a matter of seconds.
 launcher=()
 if command -v ccache >/dev/null; then
-  launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # With precompiled headers it must be told that they are named by their contents.
+  cached="env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache"
+  launcher=("-DCMAKE_C_COMPILER_LAUNCHER=$cached" "-DCMAKE_CXX_COMPILER_LAUNCHER=$cached")
 fi
 echo "build: configuring"
 cmake --preset release --log-level=WARNING "${launcher[@]}" >/dev/null

@@ -8,4 +8,13 @@ target_compile_options(sonoskin_options INTERFACE
   # Let the compiler vectorise square roots and selects; NaN and infinity keep their meaning.
   -fno-math-errno -fno-trapping-math)
 target_link_libraries(sonoskin_options INTERFACE OpenMP::OpenMP_CXX Threads::Threads)
+# sonoskin_precompile(<target> [header...]): parses what nearly every file of the target includes once, a third of the time
+# that it takes to compile. Files include what they use all the same: the sanitizers' builds go without.
+function(sonoskin_precompile target)
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <memory>
+                            <optional> <string> <vector> <fmt/format.h> <glm/glm.hpp> ${ARGN})
+  # For ccache; and GCC 12 forgets of precompiled headers which are the system's, whose false alarms it then tells.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>)
+endfunction()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
