@@ -143,7 +143,7 @@ TEST(LambdaFit, SeveralTasksAreOneFit) {
   CentreSelection selection = selectCentres(points, reconstruction);
   ASSERT_GT(selection.centres.size(), 1100u);
   const FunctionForm form = FunctionForm::normalised;
-  const LambdaSystem A = assembleLambdaSystem(points, selection, form);
+  const LambdaSystem A = systemOf(points, selection, form);
   const std::vector<float> values = fitLambda(points, 1e-4, selection, form);
   double missing = 0, right = 0;
   for (std::size_t i = 0; i < A.size(); ++i) {
