@@ -206,10 +206,10 @@ TEST_F(SkinViewTest, StepsArriveWhileLightMoves) {
   for (int frame = 0; frame < 40; ++frame) {
     view.draw({.surface = gpu, .camera = camera, .look = look(frame), .quality = {}, .steps = 1}, picture);
     EXPECT_LT(view.state(), LightState::complete) << "the light has moved on";
-    std::vector<float> now = gl::readFloats(view.diffused(), 4);
+    std::vector<float> now = gl::readFloats(view.light().diffuser().result().map, 4);
     if (frame > 0 && now != shown) {
       whole.relight(gpu, look(begun), {});
-      EXPECT_EQ(now, gl::readFloats(whole.diffused(), 4)) << frame;
+      EXPECT_EQ(now, gl::readFloats(whole.light().diffuser().result().map, 4)) << frame;
       begun = frame + 1;
       ++arrived;
     }
@@ -220,7 +220,8 @@ TEST_F(SkinViewTest, StepsArriveWhileLightMoves) {
     view.draw({.surface = gpu, .camera = camera, .look = look(40), .quality = {}, .steps = 1}, picture);
   ASSERT_GE(view.state(), LightState::complete);
   whole.relight(gpu, look(40), {});
-  EXPECT_EQ(gl::readFloats(view.diffused(), 4), gl::readFloats(whole.diffused(), 4));
+  EXPECT_EQ(gl::readFloats(view.light().diffuser().result().map, 4),
+            gl::readFloats(whole.light().diffuser().result().map, 4));
 }
 
 }  // namespace
