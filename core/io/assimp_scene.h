@@ -23,12 +23,15 @@ std::string meshFileHeader();
 std::unique_ptr<aiScene> assimpScene(const Mesh& mesh, const std::vector<glm::vec2>& uv = {});
 
 // exportScene: the bytes of a file in one of assimp's formats.
+//   errors  Error: assimp cannot write it in that format
 Bytes exportScene(const aiScene& scene, const char* format);
 
 // obj: with our header, and lines of one's own below it (each begins with a line break).
+//   errors  as exportScene
 Bytes obj(const aiScene& scene, const std::string& below = {});
 
 // glb: glTF 2.0 binary, with our name and after `edit` has changed its JSON.
+//   errors  as exportScene
 Bytes glb(const aiScene& scene, const std::function<void(nlohmann::json&)>& edit);
 
 // asGltf: metres, +Y up, front toward +Z: 0.001 (x, z, -y), a rotation; with normals.

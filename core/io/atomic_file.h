@@ -20,6 +20,7 @@ void writeAtomically(const std::filesystem::path& target,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
 // writeBytes: writes bytes under `target`, atomically.
+//   errors  Error (system): the file cannot be written
 void writeBytes(const std::filesystem::path& target, const void* data, std::size_t bytes);
 
 // OutputFolder: a set of files that appear in a folder together, when all of them are complete (Staging::publish). They
@@ -33,9 +34,11 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   // file: where to write the file that will be called `name`, a plain file name.
+  //   errors  Error: it is no plain file name
   std::filesystem::path file(const std::string& name);
   // commit: moves every file that was written into the folder, over files of the same name, and removes those that are
   // obsolete. More may be written and committed after it.
+  //   errors  as Staging::publish
   void commit(const std::vector<std::string>& obsolete = {});
 
  private:

@@ -44,6 +44,7 @@ void checkData(const DeclaredData& data, const std::filesystem::path& path);
 std::uint64_t numbersIn(const DeclaredData& data);
 
 // inflatedStart: the first `bytes` of a file, unpacked where it is packed; fewer where it ends early.
+//   errors   as fileSize; Error: it cannot be read
 std::vector<std::uint8_t> inflatedStart(const std::filesystem::path& path, std::size_t bytes);
 
 }  // namespace sonoskin

@@ -10,6 +10,7 @@
 namespace sonoskin {
 
 // isDicom: whether a file begins as DICOM files do.
+//   errors  as readBytes
 bool isDicom(const std::filesystem::path& path);
 
 // readDicomSeries: reads the slices of a series, sorted by their positions along their common normal.

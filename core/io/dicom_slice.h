@@ -23,6 +23,7 @@ class DicomSlice {
   glm::dvec3 normal() const;
   std::size_t bytes() const;
   // read: the numbers after slope and intercept, `bytes()` of them, as `stored().type`.
+  //   errors  Error: the file holds another number of bytes than it declared, or the library cannot read it
   void read(std::uint8_t* out);
 
  private:

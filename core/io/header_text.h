@@ -62,6 +62,7 @@ class HeaderLines {
 };
 
 // readHeaderText: the start of a file, long enough for any header that we accept (16 MiB).
+//   errors  as readBytes
 std::string readHeaderText(const std::filesystem::path& path);
 
 // besideHeader: the path of a data file that a header names.

@@ -18,6 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes encodePly(const Mesh& mesh);
 
 // encodeStl: binary, mm; flat triangles with their normals.
+//   errors   as exportScene
 Bytes encodeStl(const Mesh& mesh);
 
 // encodeObj: text, mm, nine digits (floats come back exactly); v, vn where the mesh has them, f.

@@ -27,6 +27,7 @@ class Staging {
   //             changed then; or the system refuses a name: then the next output there goes on
   void publish(const std::vector<std::string>& obsolete = {});
   // publishOnly: the same for one file, whose name may hold anything.
+  //   errors    as publish
   void publishOnly(const std::string& name);
 
  private:

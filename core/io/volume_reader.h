@@ -21,6 +21,7 @@ namespace sonoskin {
 Scan readScan(const std::filesystem::path& path, const Progress& progress = {});
 
 // readMarks: the same of a volume that marks voxels, a mask or erased parts, whose sides may all be marked.
+//   errors  as readScan
 Scan readMarks(const std::filesystem::path& path, const Progress& progress = {});
 
 // VolumeInfo: what is in a volume file, for people. Holds nothing that could name a patient.
@@ -38,6 +39,7 @@ struct VolumeInfo {
 };
 
 // readVolumeInfo: reads the file as readScan does and tells what is in it.
+//   errors  as readScan
 VolumeInfo readVolumeInfo(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace sonoskin

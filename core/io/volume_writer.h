@@ -24,6 +24,7 @@ void writeVolume(const std::filesystem::path& path, const Volume<std::uint8_t>& 
                  const std::optional<Beam>& beam = {}, const Progress& progress = {});
 
 // writeScan: writes a scan as bytes where it came from bytes (0..1 as 0..255), else as float.
+//   errors  as writeVolume
 void writeScan(const std::filesystem::path& path, const Scan& scan, const Progress& progress = {});
 
 }  // namespace sonoskin

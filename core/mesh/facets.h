@@ -11,6 +11,7 @@ namespace sonoskin {
 //   opposite  per half-edge, as oppositeHalfEdges gives it
 //   normal    per triangle: the unit normal times the area in mm²; zero for a degenerate one
 //   centre    per triangle: the mean of its corners
+//   errors    Cancelled
 struct Facets {
   const Mesh& mesh;
   std::vector<std::uint32_t> opposite;

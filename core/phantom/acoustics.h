@@ -22,11 +22,13 @@ struct Anatomy {
 Geometry anatomyGrid(double spacing);
 
 // sampled: one of a model's distances on a grid (see sampleDistance for the band).
+//   errors   Cancelled
 DistanceGrid sampled(const PhantomModel& model, double (PhantomModel::*distance)(const glm::dvec3&) const,
                      const Geometry& grid, double band, const Progress& progress);
 
 // sampleAnatomy: the phantom's distances on anatomyGrid(spacing), exact where the sound needs them.
 //   skinReach  mm before the skin up to which its distance must be right
+//   errors     Cancelled
 Anatomy sampleAnatomy(const PhantomModel& model, double spacing, float skinReach,
                       const Progress& progress = {});
 

@@ -14,6 +14,7 @@ Geometry phantomGeometry(const PhantomOptions& options);
 double anatomySpacing(const Geometry& geometry);
 
 // sceneSector: the probe's samples for the options' voxels, with the planes and the opening of their scene.
+//   errors   as phantomGeometry
 SectorGrid sceneSector(const PhantomOptions& options);
 
 }  // namespace sonoskin

@@ -35,6 +35,7 @@ std::vector<float> speckleEnvelope(const SectorGrid& sector, std::vector<float> 
 
 // addClutter: raises each amplitude^2 by clutter times the mean of its neighbourhood's (Gaussian,
 // `reach` times 1.2 mm by 3 by 3 degrees).
+//   errors   Cancelled
 void addClutter(const SectorGrid& sector, std::vector<float>& amplitude, const NoiseLevels& noise,
                 const Progress& progress = {});
 

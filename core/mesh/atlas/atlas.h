@@ -45,7 +45,7 @@ struct AtlasOptions {
 // buildAtlas: charts by parallel projection along 14 axes, of which one is `front`.
 //   method   theory/skin.md, 3.2
 //   cost     1 million triangles: below 2 s on two cores
-//   errors   Cancelled
+//   errors   Error: the options leave a texel or an atlas no size; Cancelled
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress = {});
 
 // atlasFromCoordinates: charts as the mesh's own texture coordinates have them, at a size at which the middle one of its
@@ -65,6 +65,7 @@ Atlas blockAtlas(const Mesh& mesh, double texel, int maxSize, double maxTexels =
 //   area       mm^2, of an object brought to the size of a body by the atlas' unit
 //   steep      share of the area whose triangles are stretched more than 1 / 0.3
 //   stretch    largest and 99th percentile of mm per texel, over the nominal one
+//   errors     Error: the atlas belongs to another mesh
 struct AtlasCheck {
   int charts = 0;
   double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
@@ -78,6 +79,7 @@ AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas);
 // AtlasVertices: the mesh with vertices of their own on both sides of a seam, to be drawn with the atlas' maps.
 //   uv      0 to 1 over the atlas
 //   source  per vertex: the vertex of the mesh
+//   errors  Error: the atlas belongs to another mesh
 struct AtlasVertices {
   std::vector<glm::vec2> uv;
   std::vector<std::uint32_t> source;

@@ -17,11 +17,13 @@ struct Charts {
 };
 
 // smoothNormals: per triangle the unit normal of the surface around it, over `length` mm.
+//   errors   Cancelled
 std::vector<glm::vec3> smoothNormals(const Facets& facets, float length, const Progress& progress = {});
 
 // labelTriangles: per triangle the axis nearest to its normal; the first one, the front, is favoured. Single triangles
 // between others are given to them.
 //   normals  as smoothNormals gives them
+//   errors   Cancelled
 std::vector<std::uint32_t> labelTriangles(const Facets& facets, const std::vector<glm::vec3>& normals,
                                           const std::array<ChartAxis, kChartAxes>& axes,
                                           const Progress& progress = {});
@@ -30,6 +32,7 @@ std::uint32_t nearestAxis(const glm::vec3& normal, const std::array<ChartAxis, k
 
 // connectedCharts: a chart for each connected set of triangles with the same key.
 //   axisOfKey   per key
+//   errors      Cancelled
 Charts connectedCharts(const Facets& facets, const std::vector<std::uint32_t>& keys,
                        const std::vector<std::uint32_t>& axisOfKey, const Progress& progress = {});
 

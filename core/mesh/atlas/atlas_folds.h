@@ -10,6 +10,7 @@ namespace sonoskin {
 //   method     depth pictures of each chart; hidden is what lies more than 0.8 mm behind. Three rounds, for a moved
 //              part may fold again; parts below `tiny` mm² go back to a neighbour.
 //                                                                                      [theory/skin.md, 3.2, step 5]
+//   errors     Cancelled
 struct FoldOptions {
   double tiny = 0;
   float unit = 1;  // the method's lengths are so many times as long, see AtlasOptions

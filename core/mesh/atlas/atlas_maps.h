@@ -30,6 +30,7 @@ struct SurfaceTraits {
 };
 
 // measureTraits: occlusion by `directions` parallel depth pictures, curvature over `radius` mm.
+//   errors  Cancelled
 SurfaceTraits measureTraits(const Mesh& mesh, int directions = 128, double radius = 2,
                             const Progress& progress = {});
 
@@ -37,6 +38,7 @@ SurfaceTraits measureTraits(const Mesh& mesh, int directions = 128, double radiu
 // open sky. Beyond a chart that ends its last triangles go on for one texel, for those who look between texels.
 //   input   mesh with normals
 //   cost    2 million texels: 0.3 s on two cores
+//   errors  Error: the mesh has no normals; traits or atlas belong to another mesh. Cancelled
 AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& atlas,
                     const Progress& progress = {});
 

@@ -14,7 +14,8 @@ namespace sonoskin {
 std::vector<std::string> meshDoubts(const Mesh& mesh);
 
 // requireExtent: refuses a surface larger than a house (100 m) or so far away that floats cannot tell its lengths apart.
-//   name  of its file, for people
+//   name    of its file, for people
+//   errors  Error: it is one of these
 void requireExtent(const Mesh& mesh, const std::string& name);
 
 // pairDoubts: why two surfaces may not share frame or unit: their boxes do not touch, or one is five times as large.

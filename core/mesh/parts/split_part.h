@@ -16,6 +16,7 @@ struct Stroke {
 //            there, through front and back. The rest of the part goes with the side that it is nearer to along the surface
 //   output   whether there are two sides now; if not, nothing has changed
 //   cost     O(n); 400k triangles in 0.05 s
+//   errors   Error: there is no surface
 bool splitPart(const Mesh& mesh, SurfaceParts& parts, const Stroke& stroke);
 
 // partAt: the part with the triangle nearest to a place.

@@ -11,6 +11,7 @@ namespace sonoskin {
 //   method   nearest triangle; the side by the normal of the face, edge or vertex met  [Baerentzen, Aanaes 2005]. Beyond
 //            the border the surface is thought to go on straight.
 //   cost     500k triangles: built in 0.3 s; 1 to 2 us per place near the surface
+//   errors   Error: the mesh has no triangles
 class SignedDistance {
  public:
   // mesh: manifold, oriented, not empty

@@ -13,6 +13,7 @@ namespace sonoskin {
 // TriangleTree: finds the place of a mesh nearest to a point, and the triangles in a box. Keeps a reference to the mesh.
 //   method   triangles sorted along a space-filling curve, four to a leaf, boxes in an implicit binary tree
 //   cost     500k triangles: built in 0.1 s; a query takes 1 to 2 us near the surface
+//   errors   Error: the mesh has no triangles
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);

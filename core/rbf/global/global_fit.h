@@ -17,6 +17,7 @@ namespace sonoskin {
 GlobalRbf fitGlobal(const SurfacePoints& points, const GlobalOptions& options, const Progress& progress = {});
 
 // fitGlobal: the same through given values.
+//   errors   as above, but for what is wrong with surface points
 GlobalRbf fitGlobal(const GlobalPoints& points, const GlobalOptions& options, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -24,6 +24,7 @@ Eigen::VectorXd kernelSums(const RadialKernel& kernel, const Sites& sites, const
                            const Sites& targets, const Progress& progress = {});
 
 // kernelGradients: Σ_j w_j ∇φ(|t_i - x_j|), likewise.
+//   errors   Cancelled
 std::vector<glm::dvec3> kernelGradients(const RadialKernel& kernel, const Sites& sites,
                                         const VectorRef& weights, const Sites& targets,
                                         const Progress& progress = {});
