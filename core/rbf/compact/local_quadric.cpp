@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/perpendicular.h"
 #include "core/rbf/basis.h"
 
 namespace sonoskin {
@@ -108,8 +107,9 @@ float sumSquaredDistances(const LocalSamples& s, float inverseSigma, const Local
 
 Frame frameAround(const glm::vec3& normal) {
   const glm::vec3 size = glm::abs(normal);
-  const int smallest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
-  const glm::vec3 u = glm::normalize(glm::cross(normal, coordinateAxis<glm::vec3>(smallest)));
+  glm::vec3 axis(0);
+  axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
+  const glm::vec3 u = glm::normalize(glm::cross(normal, axis));
   return {u, glm::cross(normal, u), normal};
 }
 
