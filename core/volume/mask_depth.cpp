@@ -60,18 +60,17 @@ struct Lines {
 template <class Start>
 void lowerLines(std::vector<float>& squared, const Lines& lines, const Start& start,
                 const Progress& progress) {
-  const auto [count, length, stride, step] = lines;
   constexpr std::size_t kLinesPerTask = 64;
   parallelBlocks(
-      count, kLinesPerTask,
+      lines.count, kLinesPerTask,
       [&](std::size_t firstLine, std::size_t endLine) {
-        Envelope envelope(length);
-        std::vector<float> line(length);
+        Envelope envelope(lines.length);
+        std::vector<float> line(lines.length);
         for (std::size_t n = firstLine; n < endLine; ++n) {
           float* first = squared.data() + start(n);
-          for (std::size_t p = 0; p < length; ++p) line[p] = first[p * stride];
-          envelope.lower(line, step);
-          for (std::size_t p = 0; p < length; ++p) first[p * stride] = line[p];
+          for (std::size_t p = 0; p < lines.length; ++p) line[p] = first[p * lines.stride];
+          envelope.lower(line, lines.step);
+          for (std::size_t p = 0; p < lines.length; ++p) first[p * lines.stride] = line[p];
         }
       },
       progress);
