@@ -8,6 +8,14 @@ target_compile_options(sonoskin_options INTERFACE
   # Let the compiler vectorise square roots and selects; NaN and infinity keep their meaning.
   -fno-math-errno -fno-trapping-math)
 target_link_libraries(sonoskin_options INTERFACE OpenMP::OpenMP_CXX Threads::Threads)
+
+# A faster linker, where somebody has one.
+find_program(SONOSKIN_LINKER NAMES ld.mold ld.lld)
+if(SONOSKIN_LINKER)
+  string(REGEX REPLACE ".*ld\\." "-fuse-ld=" linker ${SONOSKIN_LINKER})
+  add_link_options(${linker})
+endif()
+
 # sonoskin_precompile(<target> [header...]): parses what nearly every file of the target includes once, a third of the time
 # that it takes to compile. Files include what they use all the same: the sanitizers' builds go without.
 function(sonoskin_precompile target)
@@ -17,4 +25,5 @@ function(sonoskin_precompile target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>)
 endfunction()
+
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
