@@ -292,11 +292,13 @@ TEST(RunCommand, ASecondRunReplacesTheResultsAndLeavesOtherFiles) {
   EXPECT_EQ(fileText(folder / "out/notes.txt"), "somebody's notes");
 }
 
-// Starts a run at full size, asks it to stop after `delay` seconds, and gives the seconds until it did.
+// Starts a run at full size, asks it to stop `delay` seconds after it listens, and gives the seconds until it did.
 double secondsToStop(double delay, int signalNumber) {
   const TempFolder folder, output;
   RunningProgram program(SONOSKIN_PROGRAM, {"run", "phantom", "--out", (folder / "out").string()},
                          output.path());
+  while (program.running() && !program.catches(signalNumber))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   std::this_thread::sleep_for(std::chrono::duration<double>(delay));
   EXPECT_TRUE(program.running()) << "it was over before it could be stopped";
   const Timer timer;

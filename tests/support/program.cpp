@@ -44,6 +44,13 @@ bool RunningProgram::running() {
   return child_ > 0;
 }
 
+bool RunningProgram::catches(int signal) const {
+  const std::string status = fileText("/proc/" + std::to_string(child_) + "/status"), title = "SigCgt:";
+  const std::size_t found = status.find(title);
+  if (found == std::string::npos) return false;
+  return std::stoull(status.substr(found + title.size()), nullptr, 16) >> (signal - 1) & 1;
+}
+
 void RunningProgram::signal(int number) {
   if (child_ > 0) kill(child_, number);
 }

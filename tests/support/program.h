@@ -24,6 +24,8 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   bool running();
+  // catches: whether it has come so far that the signal does not simply end it.
+  bool catches(int signal) const;
   void signal(int number);
   ProgramResult wait();
 

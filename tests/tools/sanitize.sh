@@ -20,7 +20,7 @@ if [ "$what" = build ]; then what=${3:-} only=build part=1/1; else part=${3:-1/1
 [[ $kind =~ ^(asan|tsan)$ && $what =~ ^(core|app)$ && $part =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || usage
 
 build=build/$kind known=$PWD/tests/tools/sanitize
-[ -e $build/build.ninja ] || cmake --preset "$kind" --log-level=WARNING >/dev/null
+cmake --preset "$kind" --log-level=WARNING >/dev/null
 targets=("${what}_tests")
 if [ "$what" = app ]; then targets+=(sonoskin); fi
 cmake --build --preset "$kind" --parallel "$(nproc)" --target "${targets[@]}"
