@@ -30,7 +30,7 @@ export GTEST_TOTAL_SHARDS=${part#*/} GTEST_SHARD_INDEX=$((${part%/*} - 1)) GTEST
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1:suppressions=$known/undefined.supp
 export ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1
 export LSAN_OPTIONS=suppressions=$known/leaks.supp:print_suppressions=0
-export TSAN_OPTIONS=halt_on_error=1:die_after_fork=0:ignore_noninstrumented_modules=1:suppressions=$known/threads.supp
+export TSAN_OPTIONS=halt_on_error=1:die_after_fork=0:handle_segv=0:ignore_noninstrumented_modules=1:suppressions=$known/threads.supp
 if [ "$kind" = tsan ]; then
   llvm=/usr/lib/llvm-14/lib
   if [ ! -e $llvm/libarcher.so ]; then
