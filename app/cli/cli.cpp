@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -18,6 +19,7 @@
 #include "app/window/window.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
+#include "core/base/parallel.h"
 #include "core/base/version.h"
 #include "core/io/file_formats.h"
 #include "core/io/reader_process.h"
@@ -52,6 +54,10 @@ std::string usageSentence(std::string words) {
   return words + "; see --help.";
 }
 
+// Software OpenGL takes a thread for every processor of the machine, whatever we may use of them. What users set for
+// themselves stays. Here, since no other thread is there yet that could read what is set.
+void limitRenderer() { ::setenv("LP_NUM_THREADS", std::to_string(threadCount()).c_str(), 0); }
+
 int runWindow(const std::string& file, const Parameters& parameters) {
   if (file.empty()) return openWindow(std::nullopt, parameters);
   if (!std::filesystem::exists(file)) {
@@ -82,6 +88,7 @@ int parseAndRun(int argc, char** argv) {
   parameters.addLook(program);
 
   Console console;
+  console.addThreads(program);
   const std::vector<Command> commands = {
       addRunCommand(program, console),     addRenderCommand(program, console),
       addPhantomCommand(program, console), addInfoCommand(program, console),
@@ -95,6 +102,7 @@ int parseAndRun(int argc, char** argv) {
     writeResult(text.str());
     return kDone;
   }
+  limitRenderer();
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
     const Interrupt interrupt(console.sink());

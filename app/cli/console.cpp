@@ -34,8 +34,9 @@ std::string Console::nameOf(const std::string& input) const {
 
 void Console::addThreads(CLI::App& command) {
   command
-      .add_option_function<int>("--threads", setThreadCount,
-                                "threads to use; the machine's own number by default")
+      .add_option_function<int>(
+          "--threads", setThreadCount,
+          "threads to use, for drawing too; by default as many as the system lets the program have")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""));
 }

@@ -1,16 +1,19 @@
 #include "core/base/parallel.h"
 
-#include <omp.h>
-
+#include <algorithm>
 #include <atomic>
 #include <exception>
+#include <thread>
+
+#include "core/base/processors.h"
+#include "core/base/task_pool.h"
 
 namespace sonoskin {
 namespace {
 
 std::atomic<int> requestedThreads{0};
 
-// The first exception of a team of threads, to be thrown again outside the parallel region.
+// The first exception of several threads, to be thrown again on the one that called them.
 class FirstException {
  public:
   void capture() {
@@ -31,42 +34,36 @@ class FirstException {
 void setThreadCount(int count) { requestedThreads = count > 0 ? count : 0; }
 
 int threadCount() {
+  static const int available = availableProcessors();
   const int requested = requestedThreads;
-  return requested > 0 ? requested : omp_get_num_procs();
+  return requested > 0 ? requested : available;
 }
 
 void parallelFor(std::ptrdiff_t count, const std::function<void(std::ptrdiff_t)>& body,
                  const Progress& progress) {
   FirstException first;
-  std::atomic<std::ptrdiff_t> done{0};
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threadCount())
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    if (first.taken()) continue;
-    try {
-      progress.throwIfCancelled();
-      body(i);
-      const std::ptrdiff_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (omp_get_thread_num() == 0 && finished < count) progress.update(double(finished) / double(count));
-    } catch (...) {
-      first.capture();
-    }
-  }
+  std::atomic<std::ptrdiff_t> next{0}, done{0};
+  const auto caller = std::this_thread::get_id();
+  const std::function<void()> work = [&] {
+    const bool reports = std::this_thread::get_id() == caller;
+    for (std::ptrdiff_t i = next++; i < count && !first.taken(); i = next++) try {
+        progress.throwIfCancelled();
+        body(i);
+        const std::ptrdiff_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
+        if (reports && finished < count) progress.update(double(finished) / double(count));
+      } catch (...) {
+        first.capture();
+      }
+  };
+  TaskPool::instance().share(work, int(std::min<std::ptrdiff_t>(threadCount(), count)) - 1);
   first.rethrow();
   // Only this thread reports, and on a busy machine the others may have done all the work.
   if (count > 0) progress.update(1);
 }
 
 void parallelThreads(const std::function<void(int, int)>& body) {
-  FirstException first;
-#pragma omp parallel num_threads(threadCount())
-  {
-    try {
-      body(omp_get_thread_num(), omp_get_num_threads());
-    } catch (...) {
-      first.capture();
-    }
-  }
-  first.rethrow();
+  const int threads = threadCount();
+  parallelFor(threads, [&](std::ptrdiff_t thread) { body(int(thread), threads); });
 }
 
 }  // namespace sonoskin

@@ -19,8 +19,8 @@ int threadCount();
 void parallelFor(std::ptrdiff_t count, const std::function<void(std::ptrdiff_t)>& body,
                  const Progress& progress = {});
 
-// parallelThreads: calls body(thread, threads) once on each thread of one team; for loops that keep scratch
-// memory per thread or own a fixed slab of the data.
+// parallelThreads: calls body(thread, threads) once for each of threadCount() threads, or one after the other where threads
+// are busy elsewhere; for loops that keep scratch memory per thread or own a fixed slab of the data.
 void parallelThreads(const std::function<void(int thread, int threads)>& body);
 
 }  // namespace sonoskin
