@@ -15,8 +15,9 @@ void LightRefiner::begin(const EnteringLight& entering, const GpuSkin& surface, 
   worker_->replace(
       {"Refining light",
        [spread, kept = kept_, surface = surface.surface(), profile = entering.material().diffusion,
-        irradiance = gl::readTexels(entering.irradiance())](const Progress& progress) {
-         spread->levels = diffuseInBlocks(surface, profile, irradiance, *kept, progress);
+        thin = entering.look().skin.thinModel, irradiance = gl::readTexels(entering.irradiance()),
+        thinness = gl::readTexels(entering.thinness())](const Progress& progress) {
+         spread->spread = spreadByPoints(surface, profile, thin, {irradiance, &thinness}, *kept, progress);
        },
        [this, spread] { ready_ = std::move(*spread); }});
 }
@@ -27,7 +28,7 @@ bool LightRefiner::update(SkinView& view, const GpuSkin& surface, const Key& lig
   if (view.light().refined()) return false;
   if (const std::optional<Spread> ready = std::exchange(ready_, std::nullopt);
       ready && ready->light == light) {
-    view.light().take(surface, ready->levels);
+    view.light().take(surface, ready->spread);
     asked_.reset();
     return true;
   }

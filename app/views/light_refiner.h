@@ -8,8 +8,8 @@
 
 #include "app/document/worker.h"
 #include "core/base/hash.h"
-#include "core/skin/block_diffusion.h"
 #include "render/skin/entering_light.h"
+#include "render/skin/points_light.h"
 
 namespace sonoskin::ui {
 
@@ -32,7 +32,7 @@ class LightRefiner {
  private:
   struct Spread {
     Key light;
-    PointDiffusion::Levels levels;
+    PointsLight spread;
   };
   void begin(const EnteringLight& entering, const GpuSkin& surface, const Key& light);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "core/skin/point_diffusion.h"
@@ -20,34 +19,46 @@ class BlockDiffusion {
 
   // bytes: memory that is kept.
   std::size_t bytes() const;
-  // placesAsked: at how many places a level, 1 to 5, is asked; 0 where it leaves the light as it falls.
+  // placesAsked: at how many places a level, 1 to 6, is asked; 0 where it leaves the light as it falls.
   std::size_t placesAsked(int level) const;
 
   struct State;
   std::unique_ptr<State> state;  // for diffuseInBlocks
 };
 
-// diffuseInBlocks: the light of an atlas of blocks after levels 1 to 5, from point to point: an atlas whose triangles do
-// not lie beside their neighbours cannot be blurred. Any other atlas will do too; its charts then show the same on both
-// sides of a seam (ChartSides).
+// EnteredLight: maps over an atlas that are to be spread.
+//   irradiance   per texel, linear, premultiplied by its coverage
+//   thinness     per texel in r, premultiplied by its coverage in a: of thin parts, a value that is spread beside the light
+//                (render/skin, EnteringLight::thinness); none: 1 everywhere
+struct EnteredLight {
+  const std::vector<glm::vec4>& irradiance;
+  const std::vector<glm::vec4>* thinness = nullptr;
+};
+
+// SpreadWeights: what levels 1 to 6 count for in a sum of them: rgb of light, a of the thinness.
+using SpreadWeights = std::array<glm::vec4, PointDiffusion::kSmooth>;
+
+// diffuseInBlocks: the light of an atlas of blocks after levels 1 to 6, weighted and summed, from point to point: an atlas
+// whose triangles do not lie beside their neighbours cannot be blurred. Any other atlas will do too; its charts then show
+// the same on both sides of a seam (ChartSides).
 //   input    surface      the same object as before: what `kept` holds is used again
-//            irradiance   per texel, linear, premultiplied by its coverage
-//   output   per level and texel: rgb; a: 1 where the surface or the rim of a block is, else 0. Gaussians narrower than
-//            points 0.2 mm apart can be leave the irradiance as it is.
-//   cost     240,000 triangles on 7,000 mm^2: 0.2 s of CPU once; for every light 0.8 s with texels of 0.3 mm and 3 s with
-//            texels of 0.15 mm. However large the surface, it has kMostSamples points, farther apart than 0.2 mm then:
-//            Gaussians narrower than that leave the irradiance as it is, too.
+//   output   per texel that looks find (shownTexels), rgb: of light, a: of thinness; else 0. Gaussians narrower than points
+//            0.2 mm apart can be leave the light as it is.
+//   cost     350,000 triangles on 10,000 mm^2 with texels of 0.15 mm: 0.3 s of CPU once, 0.4 s for every light. However
+//            large the surface, it has kMostSamples points, farther apart than 0.2 mm then: Gaussians narrower than that
+//            leave the light as it is, too.
 //   errors   Error: not one irradiance per texel; Cancelled
-PointDiffusion::Levels diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
-                                       const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept,
-                                       const Progress& progress = {});
+std::vector<glm::vec4> diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
+                                       const EnteredLight& light, const SpreadWeights& weights,
+                                       BlockDiffusion& kept, const Progress& progress = {});
 
-// TakeLevel: is given one level's map after the other, 1 to 5, which may be moved from.
-using TakeLevel = std::function<void(int level, std::vector<glm::vec4>& map)>;
+// levelWeights: of one level alone. sumWeights: of a profile, for the light of its levels 1 to 5 and smooth thinness.
+SpreadWeights levelWeights(int level);
+SpreadWeights sumWeights(const GaussianSum& profile);
 
-// diffuseInBlocks: the same, but no more than one level's map is in memory at a time.
-void diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
-                     const std::vector<glm::vec4>& irradiance, BlockDiffusion& kept, const TakeLevel& take,
-                     const Progress& progress = {});
+// levelsInBlocks: each level alone.
+PointDiffusion::Levels levelsInBlocks(const std::shared_ptr<const SkinSurface>& surface,
+                                      const GaussianSum& profile, const EnteredLight& light,
+                                      BlockDiffusion& kept, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -65,15 +65,15 @@ void ChartSides::add(const SkinSurface& surface, std::uint32_t triangle, const g
   places_.push_back(place);
 }
 
-void ChartSides::fit(const std::vector<glm::vec4>& light, std::vector<glm::vec4>& map) const {
+void ChartSides::fit(std::span<const glm::vec4> light, std::vector<glm::vec4>& map) const {
   for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const auto& [texels, shares] = places_[i].look;
-      glm::vec3 missing(light[i]);
-      for (int k = 0; k < 4; ++k) missing -= shares[k] * glm::vec3(map[texels[std::size_t(k)]]);
+      glm::vec4 missing = light[i];
+      for (int k = 0; k < 4; ++k) missing -= shares[k] * map[texels[std::size_t(k)]];
       for (int k = 0; k < 4; ++k) {
         glm::vec4& texel = map[texels[std::size_t(k)]];
-        texel = glm::max(texel + places_[i].steps[k] * glm::vec4(missing, 0), 0.f);
+        texel = glm::max(texel + places_[i].steps[k] * missing, 0.f);
       }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/skin/atlas_reading.h"
@@ -30,9 +31,9 @@ class ChartSides {
   // fit: changes the texels around the sides until looks find the light there; those beyond the sides much more than those
   // that the chart owns.
   //   method   a few rounds of projection on one place after the other          [Kaczmarz 1937; damped, weighted by texel]
-  //   input    light   per place, linear, not below 0
-  //            map     per texel, premultiplied by a coverage of 1 or 0
-  void fit(const std::vector<glm::vec4>& light, std::vector<glm::vec4>& map) const;
+  //   input    light   per place, not below 0
+  //            map     per texel; 0 where nothing is shown
+  void fit(std::span<const glm::vec4> light, std::vector<glm::vec4>& map) const;
 
   std::size_t bytes() const { return places_.size() * sizeof(Place); }
 

@@ -15,9 +15,9 @@ struct DiffusionTarget {
 enum class Reach { local, full };
 
 // isLocal: whether light may spread between two places without passing through the body.
+constexpr float kLocalCosine = 0.1f;  // of their normals
 inline bool isLocal(const glm::vec3& normal, const glm::vec3& other) {
-  constexpr float kGate = 0.1f;  // the cosine
-  return glm::dot(normal, other) > kGate;
+  return glm::dot(normal, other) > kLocalCosine;
 }
 
 }  // namespace sonoskin

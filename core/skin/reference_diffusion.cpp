@@ -9,6 +9,7 @@
 #include "core/skin/brute_force.h"
 #include "core/skin/hierarchical_integral.h"
 #include "core/skin/scatter_profile.h"
+#include "core/skin/shown_places.h"
 
 namespace sonoskin {
 namespace {
@@ -16,23 +17,6 @@ namespace {
 constexpr std::size_t kTexelsPerTask = 64;
 constexpr double kSpacing = 0.15;  // mm between samples
 constexpr std::size_t kMostSamples = 8'000'000;
-
-// Numbers of the texels that are owned or beside one that is.
-std::vector<std::uint32_t> shownTexels(const AtlasMaps& maps) {
-  std::vector<std::uint32_t> shown;
-  const auto coverage = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= maps.size.x || y >= maps.size.y) return 0.f;
-    return maps.position[std::size_t(y) * std::size_t(maps.size.x) + std::size_t(x)].w;
-  };
-  for (int y = 0; y < maps.size.y; ++y)
-    for (int x = 0; x < maps.size.x; ++x) {
-      bool near = coverage(x, y) == 1;
-      for (int k = 0; k < 9 && !near && coverage(x, y) > 0; ++k)
-        near = coverage(x + k % 3 - 1, y + k / 3 - 1) == 1;
-      if (near) shown.push_back(std::uint32_t(y) * std::uint32_t(maps.size.x) + std::uint32_t(x));
-    }
-  return shown;
-}
 
 // What the narrow part of a profile, which no sample tells from a point, and its wide part are.
 struct SplitProfile {

@@ -48,6 +48,12 @@ void TriangleLattice::addPlaces(const Mesh& mesh, const Triangle& t, const Net& 
       add(mesh, t, {float(n - u - v) / float(n), float(u) / float(n), float(v) / float(n)});
 }
 
+std::uint64_t TriangleLattice::placesOf(const Mesh& mesh, double longest) {
+  std::uint64_t places = mesh.positions.size();
+  for (const Triangle& t : mesh.triangles) places += netOf(mesh, t, longest).places();
+  return places;
+}
+
 TriangleLattice::TriangleLattice(const Mesh& mesh, double longest, std::size_t most)
     : positions_(mesh.positions), normals_(mesh.normals) {
   constexpr double kLonger = 1.15;

@@ -19,6 +19,9 @@ class TriangleLattice {
   // most      places beside the vertices
   TriangleLattice(const Mesh& mesh, double longest, std::size_t most = kMost);
 
+  // placesOf: how many places it would have, vertices included.
+  static std::uint64_t placesOf(const Mesh& mesh, double longest);
+
   const std::vector<glm::vec3>& positions() const { return positions_; }
   const std::vector<glm::vec3>& normals() const { return normals_; }
 

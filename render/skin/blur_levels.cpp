@@ -38,6 +38,11 @@ void BlurLevels::reset(glm::ivec2 size) {
   for (gl::Framebuffer& spare : spares_) spare.fit({1, 1});
 }
 
+void BlurLevels::forget() {
+  for (gl::Framebuffer& map : maps_) map.fit({1, 1});
+  std::fill(shown_.begin() + 1, shown_.end(), nullptr);
+}
+
 // Spread: one blur. Lengths in mm.
 //   sigma, smoothed   of this blur, and of those before
 //   from, to          texels of what is read and drawn
@@ -96,10 +101,9 @@ void BlurLevels::draw(const GpuSkin& surface, const GaussianSum& sum, int level,
   shown_[at] = &map.colour();
 }
 
-void BlurLevels::set(int level, const std::vector<glm::vec4>& texels, const gl::Texture& irradiance) {
+void BlurLevels::set(int level, const std::vector<glm::vec4>& texels) {
   const auto at = std::size_t(level);
-  shown_[0] = &irradiance;
-  fitCleared(maps_[at], size_);
+  maps_[at].fit(size_);
   maps_[at].setTexels(0, texels.data());
   shown_[at] = &maps_[at].colour();
 }

@@ -27,10 +27,15 @@ class BlurLevels {
   BlurLevels();
   // reset: forgets all maps; the next ones have `size` texels where they are finest.
   void reset(glm::ivec2 size);
+  // forget: there are no levels but the first.
+  void forget();
   // draw: level `level` from the one before, or level 0 from the irradiance, which must outlive it.
   void draw(const GpuSkin& surface, const GaussianSum& sum, int level, const gl::Texture& irradiance);
-  // set: fills a level instead.
-  void set(int level, const std::vector<glm::vec4>& texels, const gl::Texture& irradiance);
+  // setFirst, set: level 0 is the irradiance; fills another level instead of drawing it.
+  void setFirst(const gl::Texture& irradiance) { shown_[0] = &irradiance; }
+  void set(int level, const std::vector<glm::vec4>& texels);
+  // has: whether a level is there.
+  bool has(int level) const { return shown_[std::size_t(level)] != nullptr; }
   const gl::Texture& level(int level) const { return *shown_[std::size_t(level)]; }
 
   // blur: any map, by Gaussians of `added` mm^2 after `before`; as coarse as that allows.

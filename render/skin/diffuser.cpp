@@ -11,8 +11,8 @@
 namespace sonoskin {
 namespace {
 
-constexpr double kThinSmoothing = 0.75;  // mm: what comes through a plate is spread by it
-constexpr double kThinLooks = 0.25;      // mm^2: what the looks for a depth spread over, a disc of 1 mm
+// mm^2: what comes through a plate is spread by it; and what the looks for a depth spread over, a disc of 1 mm.
+constexpr double kThinSmoothing = PointDiffusion::kSmoothVariance, kThinLooks = 0.25;
 
 bool byPlates(const EnteringLight& light) { return light.look().skin.thinModel == ThinModel::slab; }
 
@@ -24,19 +24,21 @@ DiffusionMethod diffusionFor(const GpuSkin& surface, const SkinQuality& quality)
   return std::max(least, quality.diffusion);
 }
 
-Diffuser::Diffuser() : sum_(emptyMap({gl::Format::rgba16f})), through_(emptyMap({gl::Format::rgba16f})) {
+Diffuser::Diffuser()
+    : sum_(emptyMap({gl::Format::rgba16f})),
+      through_(emptyMap({gl::Format::rgba16f})),
+      byPoints_(emptyMap({gl::Format::rgba16f})) {
   for (gl::Framebuffer& thin : thin_) thin = emptyMap({gl::Format::rgba16f});
 }
 
 void Diffuser::fit(const GpuSkin& surface) {
   const glm::ivec2 size = surface.parts().atlasSize();
   next_ = kDone;
-  for (gl::Framebuffer* map : {&sum_, &thin_[0]}) {
-    map->fit(size);
-    map->clear({});
-  }
+  summed_ = false;
+  sum_.fit(size);
+  sum_.clear({});
   // The others come to their size when they are drawn.
-  for (gl::Framebuffer* map : {&thin_[1], &thin_[2], &through_}) map->fit({1, 1});
+  for (gl::Framebuffer* map : {&thin_[0], &thin_[1], &thin_[2], &through_, &byPoints_}) map->fit({1, 1});
   levels_.reset(size);
 }
 
@@ -56,10 +58,11 @@ bool Diffuser::step(const GpuSkin& surface, const EnteringLight& light, const Pr
 
 void Diffuser::run(const GpuSkin& surface, const EnteringLight& light, const Progress& progress) {
   if (next_ < kLevels && method_ == DiffusionMethod::blurs) {
+    summed_ = false;
     levels_.draw(surface, light.material().diffusion, next_++, light.irradiance());
   } else if (next_ < kLevels) {
     spreadPoints(surface, light, progress.part(0, method_ == DiffusionMethod::reference ? 0.1 : 1));
-    next_ = kThin;
+    next_ = kSum;
   } else if (next_ == kThin) {
     blurThin(surface, light);
     next_ = kSum;
@@ -73,11 +76,37 @@ void Diffuser::run(const GpuSkin& surface, const EnteringLight& light, const Pro
 }
 
 void Diffuser::spreadPoints(const GpuSkin& surface, const EnteringLight& light, const Progress& progress) {
-  const auto take = [&](int level, const std::vector<glm::vec4>& map) {
-    levels_.set(level, map, light.irradiance());
-  };
-  diffuseInBlocks(surface.surface(), light.material().diffusion, gl::readTexels(light.irradiance()), points_,
-                  take, progress);
+  const std::vector<glm::vec4> irradiance = gl::readTexels(light.irradiance()),
+                               thinness = gl::readTexels(light.thinness());
+  levels_.forget();
+  set(spreadByPoints(surface.surface(), light.material().diffusion, light.look().skin.thinModel,
+                     {irradiance, &thinness}, points_, progress),
+      light);
+}
+
+void Diffuser::set(const PointsLight& spread, const EnteringLight& light) {
+  const glm::ivec2 size = sum_.size();
+  levels_.setFirst(light.irradiance());
+  summed_ = !spread.sum.empty();
+  if (summed_) {
+    byPoints_.fit(size);
+    byPoints_.setTexels(0, spread.sum.data());
+    return;
+  }
+  for (int level = 1; level < kLevels; ++level) levels_.set(level, spread.levels[std::size_t(level - 1)]);
+  for (std::size_t k = 0; k < thin_.size(); ++k) {
+    std::vector<glm::vec4> thin = spread.thinness[k];
+    for (glm::vec4& texel : thin) texel = glm::vec4(texel.a, texel.a, texel.a, 1);
+    thin_[k].fit(size);
+    thin_[k].setTexels(0, thin.data());
+  }
+}
+
+void Diffuser::drawLevel(const GpuSkin& surface, const EnteringLight& light, int level) {
+  if (levels_.has(level)) return;
+  const std::vector<glm::vec4> irradiance = gl::readTexels(light.irradiance());
+  levels_.set(level, diffuseInBlocks(surface.surface(), light.material().diffusion, {irradiance},
+                                     levelWeights(level), points_));
 }
 
 void Diffuser::integrate(const GpuSkin& surface, const EnteringLight& light, const Progress& progress) {
@@ -87,10 +116,8 @@ void Diffuser::integrate(const GpuSkin& surface, const EnteringLight& light, con
   firstWeight_ = glm::vec3(0);  // the integral holds all six
 }
 
-void Diffuser::take(const GpuSkin& surface, const EnteringLight& light,
-                    const PointDiffusion::Levels& levels) {
-  for (int level = 1; level < kLevels; ++level)
-    levels_.set(level, levels[std::size_t(level - 1)], light.irradiance());
+void Diffuser::take(const GpuSkin& surface, const EnteringLight& light, const PointsLight& spread) {
+  set(spread, light);
   method_ = DiffusionMethod::points;
   sum(surface, light);
 }
@@ -106,9 +133,8 @@ void Diffuser::sum(const GpuSkin& surface, const EnteringLight& light) {
 
 void Diffuser::blurThin(const GpuSkin& surface, const EnteringLight& light) {
   const gl::Texture& depth = light.thinness();
-  if (surface.surface()->pointBased) return;  // blocks do not lie beside their neighbours
   if (byPlates(light)) {
-    levels_.blur(surface, depth, kThinSmoothing * kThinSmoothing, kThinLooks, thin_[0]);
+    levels_.blur(surface, depth, kThinSmoothing, kThinLooks, thin_[0]);
     return;
   }
   // The depth that Gaussian i meets is blurred as far as level i - 1.                                   [theory/skin.md, 7.2]
@@ -125,32 +151,39 @@ void Diffuser::blurThin(const GpuSkin& surface, const EnteringLight& light) {
 
 void Diffuser::combine(const GpuSkin& surface, const EnteringLight& light, Part part,
                        const gl::Framebuffer& to) {
-  const bool plates = byPlates(light), blocks = surface.surface()->pointBased;
-  gl::Program& p =
-      programs_.use("skin/combine.frag", {kindDefine(light.look().lights), plates ? "SLAB" : "GAUSSIANS",
-                                          fmt::format("PART {}", part == Part::all ? 0 : 1)});
+  const bool plates = byPlates(light);
+  std::vector<std::string> defines{kindDefine(light.look().lights), plates ? "SLAB" : "GAUSSIANS",
+                                   fmt::format("PART {}", part == Part::all ? 0 : 1)};
+  if (summed_) defines.emplace_back("SUMMED");
+  gl::Program& p = programs_.use("skin/combine.frag", defines);
   bindTo(p, "positionMap", 0, surface.parts().position);
   bindTo(p, "normalMap", 1, surface.parts().normal);
   bindTo(p, "albedoMap", 2, light.albedo());
   bindTo(p, "transmittance", 3, light.tables().transmittance);
-  const GaussianSum& d = light.material().diffusion;
-  for (int i = 0; i < kLevels; ++i) {
-    bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
-    const bool left = i == 0 && firstIsLeft(light);
-    p.set(fmt::format("weights[{}]", i).c_str(), left ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
-  }
-  for (int i = 0; i < 3; ++i) {
-    const gl::Texture& thin = blocks ? light.thinness() : thin_[plates ? 0 : std::size_t(i)].colour();
-    bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin);
-  }
+  if (summed_)
+    bindTo(p, "summed", 4, byPoints_.colour());
+  else
+    bindLevels(p, light);
   bindTo(p, "placeMap", 13, light.lightMaps().place());
   light.lightMaps().setLights(p, light.look().lights);
+  const GaussianSum& d = light.material().diffusion;
   p.set("variances", glm::vec3(d.variances[3], d.variances[4], d.variances[5]));
   p.set("reach", float(SkinMaterial::kReach));
   p.set("translucency", float(light.look().skin.translucency));
   p.set("mixBefore", float(light.look().skin.mix));
   to.bind();
   surface.parts().drawShown();
+}
+
+void Diffuser::bindLevels(gl::Program& p, const EnteringLight& light) {
+  const GaussianSum& d = light.material().diffusion;
+  for (int i = 0; i < kLevels; ++i) {
+    bindTo(p, fmt::format("levels[{}]", i), 4 + i, level(i));
+    const bool left = i == 0 && firstIsLeft(light);
+    p.set(fmt::format("weights[{}]", i).c_str(), left ? glm::vec3(0) : glm::vec3(d.weights[std::size_t(i)]));
+  }
+  for (int i = 0; i < 3; ++i)
+    bindTo(p, fmt::format("thinLevels[{}]", i), 10 + i, thin_[byPlates(light) ? 0 : std::size_t(i)].colour());
 }
 
 void Diffuser::drawThrough(const GpuSkin& surface, const EnteringLight& light) {
@@ -167,7 +200,7 @@ double Diffuser::levelTime() const {
 double Diffuser::sumTime() const { return 1000 * timers_[kSum].seconds(); }
 
 std::size_t Diffuser::bytes() const {
-  std::size_t sum = sum_.texels() * 8 + through_.texels() * 8;
+  std::size_t sum = (sum_.texels() + through_.texels() + byPoints_.texels()) * 8;
   for (const gl::Framebuffer& f : thin_) sum += f.texels() * 8;
   return sum + levels_.bytes();
 }

@@ -3,10 +3,10 @@
 #include <array>
 
 #include "core/base/progress.h"
-#include "core/skin/block_diffusion.h"
 #include "render/gl/gpu_timer.h"
 #include "render/skin/blur_levels.h"
 #include "render/skin/entering_light.h"
+#include "render/skin/points_light.h"
 
 namespace sonoskin {
 
@@ -25,8 +25,8 @@ DiffusionMethod diffusionFor(const GpuSkin& surface, const SkinQuality& quality)
 
 // Diffuser: from the light that enters the skin to the light that has spread below it, by any DiffusionMethod, one pass at
 // a time.
-//   levels, by blurs or points -> blurs of the depth -> weighted sum -> the reference in the place of the sum
-// The first Gaussian and what comes through thin parts are the same for blurs and points.
+//   levels and depth, by blurs or points -> weighted sum -> the reference in the place of the sum
+// Points bring the sum of the levels, for plates, and the depth beside it. The first Gaussian is the same for both.
 class Diffuser {
  public:
   Diffuser();
@@ -39,9 +39,9 @@ class Diffuser {
   //   progress   of points and reference, the CPU's
   //   errors     Cancelled: the same step comes next
   bool step(const GpuSkin& surface, const EnteringLight& light, const Progress& progress = {});
-  // take: levels 1 to 5 of the same light that were spread elsewhere, from point to point (diffuseInBlocks of the
-  // irradiance), in the place of what is there; nothing may be left of what was begun.
-  void take(const GpuSkin& surface, const EnteringLight& light, const PointDiffusion::Levels& levels);
+  // take: the same light that was spread elsewhere, from point to point, in the place of what is there; nothing may be left
+  // of what was begun.
+  void take(const GpuSkin& surface, const EnteringLight& light, const PointsLight& spread);
 
   // method: by which the light was spread last.
   DiffusionMethod method() const { return method_; }
@@ -49,7 +49,9 @@ class Diffuser {
 
   static constexpr int kLevels = BlurLevels::kLevels;
   // level: 0 the irradiance, i the first i+1 Gaussians' blur; premultiplied by coverage in a; wide blurs have coarser maps.
+  // drawLevel: makes it, where points have left out the single levels.
   const gl::Texture& level(int level) const { return levels_.level(level); }
+  void drawLevel(const GpuSkin& surface, const EnteringLight& light, int level);
   // drawThrough: makes `through`: light through thin parts alone.
   void drawThrough(const GpuSkin& surface, const EnteringLight& light);
   const gl::Texture& through() const { return through_.colour(); }
@@ -68,6 +70,9 @@ class Diffuser {
   void blurThin(const GpuSkin& surface, const EnteringLight& light);
   void sum(const GpuSkin& surface, const EnteringLight& light);
   void combine(const GpuSkin& surface, const EnteringLight& light, Part part, const gl::Framebuffer& to);
+  void bindLevels(gl::Program& program, const EnteringLight& light);
+  // set: uploads what points have spread.
+  void set(const PointsLight& spread, const EnteringLight& light);
   // firstIsLeft: whether the final pass adds the first Gaussian.
   bool firstIsLeft(const EnteringLight& light) const;
 
@@ -77,6 +82,8 @@ class Diffuser {
   std::array<gl::GpuTimer, kDone> timers_;  // by pass
   glm::vec3 firstWeight_{0};
   gl::Framebuffer sum_, through_;
+  gl::Framebuffer byPoints_;  // PointsLight::sum
+  bool summed_ = false;       // whether that stands for levels and depth
   BlurLevels levels_;
   std::array<gl::Framebuffer, 3> thin_;
   BlockDiffusion points_;  // for finished pictures and atlases that cannot be blurred

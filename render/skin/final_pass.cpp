@@ -35,6 +35,12 @@ glm::vec3 insideColour(const LightRig& lights) {
   return glm::vec3(0.20f, 0.095f, 0.07f) * reaching;
 }
 
+// Which level of spread light a pass shows; 0: none, or the irradiance.
+int levelShown(SkinPass pass) {
+  const bool isLevel = pass >= SkinPass::blur1 && pass <= SkinPass::blur5;
+  return isLevel ? 1 + int(pass) - int(SkinPass::blur1) : 0;
+}
+
 // ShownMap: a map and how map.frag turns it into colours.
 struct ShownMap {
   const gl::Texture* texture = nullptr;
@@ -51,7 +57,7 @@ ShownMap shownMap(const SkinViewInput& input, const LightPasses& light, const gl
     case SkinPass::blur3:
     case SkinPass::blur4:
     case SkinPass::blur5:
-      return {&light.diffuser().level(1 + int(input.pass) - int(SkinPass::blur1)), 0, 0, exposure};
+      return {&light.diffuser().level(levelShown(input.pass)), 0, 0, exposure};
     case SkinPass::through:
       return {&light.diffuser().through(), 0, 0, exposure};
     case SkinPass::albedo:
@@ -210,6 +216,7 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
       input.camera.projection(float(target.size.x) / float(target.size.y), input.surface.box());
   // Some maps are drawn when they are looked at: before the target is bound.
   if (input.pass == SkinPass::through) light.drawThrough(input.surface);
+  if (const int level = levelShown(input.pass)) light.drawLevel(input.surface, level);
   drawSurface(input, size, projection);
   const Lighting studio = portraitLighting(input.camera);
   const Backdrop backdrop{size, studio.backgroundTop, studio.backgroundBottom};

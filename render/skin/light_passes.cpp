@@ -44,9 +44,9 @@ void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,
   }
 }
 
-void LightPasses::take(const GpuSkin& surface, const PointDiffusion::Levels& levels) {
+void LightPasses::take(const GpuSkin& surface, const PointsLight& spread) {
   glDisable(GL_BLEND);
-  diffuser_.take(surface, entering_, levels);
+  diffuser_.take(surface, entering_, spread);
 }
 
 void LightPasses::fit(const GpuSkin& surface) {

@@ -29,15 +29,16 @@ class LightPasses {
   bool refined() const { return finished() && diffuser_.method() > DiffusionMethod::blurs; }
   const EnteringLight& entering() const { return entering_; }
   const Diffuser& diffuser() const { return diffuser_; }
-  // drawThrough: makes Diffuser::through.
+  // drawThrough, drawLevel: make Diffuser::through and Diffuser::level.
   void drawThrough(const GpuSkin& surface) { diffuser_.drawThrough(surface, entering_); }
+  void drawLevel(const GpuSkin& surface, int level) { diffuser_.drawLevel(surface, entering_, level); }
 
   // spread: what becomes of a given irradiance instead of the lights'.
   //   irradiance   atlas size, linear RGB premultiplied by coverage in a
   void spread(const GpuSkin& surface, const SkinOptions& skin, const std::vector<glm::vec4>& irradiance);
   // take: puts light that was spread elsewhere (Diffuser::take) in the place of what is shown and keeps it until the light
   // changes; the last draw must have been complete.
-  void take(const GpuSkin& surface, const PointDiffusion::Levels& levels);
+  void take(const GpuSkin& surface, const PointsLight& spread);
 
   // timing: all but the final pass.
   SkinView::Timing timing() const;

@@ -2,10 +2,12 @@
 // is narrower than texels has weight 0: the final pass adds it at the picture's own resolution.
 // Only light 0 comes through: what a scan did not see of a body is open, and the light at its back, which stands in every
 // look, would shine on the insides and through them.
-// Variants: KIND, see lights.glsl; SLAB or GAUSSIANS; PART: 0 all, 1 what comes through alone.
+// Variants: KIND, see lights.glsl; SLAB or GAUSSIANS; PART: 0 all, 1 what comes through alone; SUMMED: points have summed
+// the levels.
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"
 
+uniform sampler2D summed;          // rgb: the sum of the levels, a: smooth thinness; not premultiplied
 uniform sampler2D levels[6];
 uniform sampler2D thinLevels[3];   // slab: one; gaussians: before the blurs 4, 5, 6
 uniform sampler2D placeMap;
@@ -67,12 +69,22 @@ void main() {
   if (placed.w == 0.0) return;
   vec2 uv = gl_FragCoord.xy / vec2(textureSize(positionMap, 0));
   vec3 p = placed.xyz, n = normalize(texelFetch(normalMap, texel, 0).xyz), sum = vec3(0.0), through = vec3(0.0);
+#if defined(SUMMED)
+  vec4 given = texelFetch(summed, texel, 0);
+  if (given == vec4(0.0)) return;  // no look needs it
+  float thin = given.a;
+#if PART == 0
+  sum = given.rgb;
+#endif
+#else
+  float thin = at(thinLevels[0], uv).r;
 #if PART == 0
   sum = weights[0] * at(levels[0], uv) + weights[1] * at(levels[1], uv) + weights[2] * at(levels[2], uv) + weights[3] * at(levels[3], uv) +
         weights[4] * at(levels[4], uv) + weights[5] * at(levels[5], uv);
 #endif
+#endif
 #if defined(SLAB)
-  through = throughPlate(at(thinLevels[0], uv).r, p, n) * pow(max(texelFetch(albedoMap, texel, 0).rgb, vec3(0.02)), vec3(mixBefore));
+  through = throughPlate(thin, p, n) * pow(max(texelFetch(albedoMap, texel, 0).rgb, vec3(0.02)), vec3(mixBefore));
 #else
   through = throughGaussians(uv, p, n);
 #endif

@@ -42,12 +42,12 @@ void pointsBuilt(benchmark::State& state) {
 void pointsLit(benchmark::State& state) {
   const AreaPoints points = pointsOf(sampleSurface(ball(), PointDiffusion::kBaseSpacing));
   const PointDiffusion diffusion(points, literatureSkin());
+  const DiffusionPlaces places = inLocalOrder(ball().positions, ball().normals);
   const std::vector<glm::vec4> irradiance(points.size(), glm::vec4(1));
   for (auto _ : state) {
     const PointDiffusion::Levels gathered = diffusion.gather(irradiance);
     for (int level = 1; level <= PointDiffusion::kLevels; ++level)
-      benchmark::DoNotOptimize(
-          diffusion.lightAt(level, gathered[std::size_t(level - 1)], ball().positions, ball().normals));
+      benchmark::DoNotOptimize(diffusion.lightAt(level, gathered[std::size_t(level - 1)], places));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/skin/brute_force.h"
+#include "core/skin/shown_places.h"
 #include "core/skin/triangle_lattice.h"
 #include "tests/support/blocks.h"
 #include "tests/support/expect_error.h"
@@ -42,7 +43,7 @@ TEST(BlockDiffusion, FollowsBruteForceOnFineAndCoarseTriangles) {
     const auto surface = test::surfaceInBlocks(test::icosphere(level, 13, {1, 2, 3}), level == 5 ? 6 : 14);
     BlockDiffusion kept;
     const auto levels =
-        diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, cosine), kept);
+        levelsInBlocks(surface, literatureSkin(), {test::irradianceIn(*surface, cosine)}, kept);
     EXPECT_LT(errorOf(*surface, levels, level == 5 ? 997 : 97), 1.2e-3) << level;
   }
 }
@@ -54,12 +55,11 @@ TEST(BlockDiffusion, EvenLightStaysEvenInEveryTexel) {
   BlockDiffusion kept;
   const auto white = [](const glm::vec3&, const glm::vec3&) { return 1.f; };
   for (const auto& level :
-       diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, white), kept)) {
+       levelsInBlocks(surface, literatureSkin(), {test::irradianceIn(*surface, white)}, kept)) {
     ASSERT_EQ(level.size(), surface->maps.position.size());
-    for (std::size_t t = 0; t < level.size(); ++t) {
-      const float shown = surface->maps.position[t].w > 0 ? 1 : 0;
-      ASSERT_LT(glm::length(level[t] - shown), 1e-5f) << t;
-    }
+    std::vector<float> expected(level.size(), 0);
+    for (const std::uint32_t t : coveredTexels(surface->maps)) expected[t] = 1;
+    for (std::size_t t = 0; t < level.size(); ++t) ASSERT_LT(glm::length(level[t] - expected[t]), 1e-5f) << t;
   }
 }
 
@@ -68,16 +68,16 @@ TEST(BlockDiffusion, KeepsItsPointsAndForgetsTheLight) {
   const auto half = [](const glm::vec3& p, const glm::vec3&) { return p.z > 0 ? 1.f : 0.f; };
   const auto light = test::irradianceIn(*surface, half);
   BlockDiffusion kept, fresh;
-  diffuseInBlocks(surface, literatureSkin(), test::irradianceIn(*surface, cosine), kept);
+  levelsInBlocks(surface, literatureSkin(), {test::irradianceIn(*surface, cosine)}, kept);
   const auto* state = kept.state.get();
-  const PointDiffusion::Levels again = diffuseInBlocks(surface, literatureSkin(), light, kept);
+  const PointDiffusion::Levels again = levelsInBlocks(surface, literatureSkin(), {light}, kept);
   EXPECT_EQ(kept.state.get(), state);
   setThreadCount(1);
-  EXPECT_EQ(again, diffuseInBlocks(surface, literatureSkin(), light, fresh));
+  EXPECT_EQ(again, levelsInBlocks(surface, literatureSkin(), {light}, fresh));
   setThreadCount(0);
   EXPECT_GT(kept.bytes(), 100000u);
   const GaussianSum wide = scaledByWidth(literatureSkin(), 2);
-  EXPECT_NE(again, diffuseInBlocks(surface, wide, light, kept));
+  EXPECT_NE(again, levelsInBlocks(surface, wide, {light}, kept));
 }
 
 TEST(BlockDiffusion, NarrowGaussiansLeaveTheIrradiance) {
@@ -85,17 +85,54 @@ TEST(BlockDiffusion, NarrowGaussiansLeaveTheIrradiance) {
   const auto light = test::irradianceIn(*surface, cosine);
   BlockDiffusion kept;
   const GaussianSum none = scaledByWidth(literatureSkin(), 0);
-  for (const auto& level : diffuseInBlocks(surface, none, light, kept)) EXPECT_EQ(level, light);
+  for (const auto& level : levelsInBlocks(surface, none, {light}, kept))
+    for (const std::uint32_t t : coveredTexels(surface->maps)) ASSERT_EQ(level[t], light[t]) << t;
+}
+
+// A sum of levels is what its levels come to, and thinness is spread as light is.
+TEST(BlockDiffusion, SumsLevelsAndSpreadsThinnessBesideThem) {
+  const auto surface = test::surfaceInBlocks(test::icosphere(4, 8, glm::vec3(0)), 8);
+  const auto light = test::irradianceIn(*surface, cosine);
+  BlockDiffusion kept;
+  const GaussianSum skin = literatureSkin();
+  const auto sum = diffuseInBlocks(surface, skin, {light, &light}, sumWeights(skin), kept);
+  const auto levels = levelsInBlocks(surface, skin, {light}, kept);
+  const int smooth = PointDiffusion::smoothLevel(skin);
+  ASSERT_EQ(smooth, 3);
+  for (const std::uint32_t t : coveredTexels(surface->maps)) {
+    glm::vec3 expected(0);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      expected += glm::vec3(skin.weights[i + 1]) * glm::vec3(levels[i][t]);
+    ASSERT_LT(glm::distance(glm::vec3(sum[t]), expected), 1e-5f) << t;
+    ASSERT_NEAR(sum[t].a, levels[std::size_t(smooth - 1)][t].r, 1e-5f) << t;
+  }
+}
+
+// A profile without a level as wide as thinness is smoothed has one more.
+TEST(BlockDiffusion, ThinnessHasALevelOfItsOwn) {
+  const auto surface = test::surfaceInBlocks(test::icosphere(4, 8, glm::vec3(0)), 8);
+  const auto light = test::irradianceIn(*surface, cosine);
+  const GaussianSum skin = literatureSkin(), narrow = scaledByWidth(skin, 0.5);
+  ASSERT_EQ(PointDiffusion::smoothLevel(narrow), PointDiffusion::kSmooth);
+  BlockDiffusion kept, keptNarrow;
+  const auto usual = diffuseInBlocks(surface, skin, {light, &light}, sumWeights(skin), kept);
+  const auto own = diffuseInBlocks(surface, narrow, {light, &light}, sumWeights(narrow), keptNarrow);
+  double difference = 0;
+  for (const std::uint32_t t : coveredTexels(surface->maps)) {
+    difference = std::max(difference, std::abs(double(usual[t].r - own[t].r)));
+    ASSERT_NEAR(usual[t].a, own[t].a, 2e-3) << t;
+  }
+  EXPECT_GT(difference, 0.02);
 }
 
 TEST(BlockDiffusion, RefusesNonsenseAndCanBeCancelled) {
   const auto surface = test::surfaceInBlocks(test::icosphere(2, 5, glm::vec3(0)), 6);
   BlockDiffusion kept;
-  test::expectError([&] { diffuseInBlocks(surface, literatureSkin(), {}, kept); }, "irradiance");
+  test::expectError([&] { levelsInBlocks(surface, literatureSkin(), {{}}, kept); }, "irradiance");
   ProgressSink sink;
   sink.cancel = true;
   const auto light = test::irradianceIn(*surface, cosine);
-  EXPECT_THROW(diffuseInBlocks(surface, literatureSkin(), light, kept, Progress(sink)), Cancelled);
+  EXPECT_THROW(levelsInBlocks(surface, literatureSkin(), {light}, kept, Progress(sink)), Cancelled);
   EXPECT_FALSE(kept.state);
 }
 

@@ -112,12 +112,9 @@ TEST(ObjectSize, MemoryOfSpreadLightIsBounded) {
       prepareSkin(std::make_shared<const Mesh>(ball(10'000)), {0, -1, 0}, quality);
   BlockDiffusion kept;
   const std::vector<glm::vec4> white(surface->maps.position.size(), glm::vec4(1));
-  int levels = 0;
-  diffuseInBlocks(surface, literatureSkin(), white, kept, [&](int, const std::vector<glm::vec4>& map) {
-    ++levels;
-    EXPECT_EQ(map.size(), white.size());
-  });
-  EXPECT_EQ(levels, PointDiffusion::kLevels);
+  const std::vector<glm::vec4> map =
+      diffuseInBlocks(surface, literatureSkin(), {white}, sumWeights(literatureSkin()), kept);
+  EXPECT_EQ(map.size(), white.size());
   EXPECT_LT(kept.bytes(), 100'000'000u);
 }
 
@@ -142,7 +139,7 @@ TEST(ObjectSize, CloudsOfTrianglesAreAskedAtFewPlaces) {
   EXPECT_GT(meanNeighbours, 2000);
   BlockDiffusion kept;
   const std::vector<glm::vec4> white(surface->maps.position.size(), glm::vec4(1));
-  diffuseInBlocks(surface, literatureSkin(), white, kept);
+  levelsInBlocks(surface, literatureSkin(), {white}, kept);
   EXPECT_LT(double(kept.placesAsked(PointDiffusion::kLevels)) * meanNeighbours, 1.5e9);
   const SurfaceSamples smooth = sampleSurface(ball(20), 0.2);
   const PointDiffusion few({smooth.positions, smooth.normals, smooth.areas}, literatureSkin());
@@ -165,7 +162,7 @@ TEST(ObjectSize, LightOfLargeObjectsTendsToWhatFalls) {
                           : glm::vec4(glm::vec3(std::max(0.f, surface->maps.normal[t].x)), 1));
     BlockDiffusion kept;
     double sum = 0, count = 0;
-    for (const auto& level : diffuseInBlocks(surface, literatureSkin(), light, kept))
+    for (const auto& level : levelsInBlocks(surface, literatureSkin(), {light}, kept))
       for (std::size_t t = 0; t < light.size(); ++t)
         if (surface->maps.position[t].w == 1) {
           sum += std::abs(double(level[t].x - light[t].x));

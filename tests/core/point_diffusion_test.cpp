@@ -36,7 +36,7 @@ struct Lit {
     std::vector<DiffusedLevels> found(targets.size());
     for (std::size_t t = 0; t < targets.size(); ++t) found[t][0] = targets[t].irradiance;
     for (int i = 1; i <= PointDiffusion::kLevels; ++i) {
-      const auto light = diffusion.lightAt(i, levels[std::size_t(i - 1)], positions, normals);
+      const auto light = diffusion.lightAt(i, levels[std::size_t(i - 1)], inLocalOrder(positions, normals));
       for (std::size_t t = 0; t < targets.size(); ++t) found[t][std::size_t(i)] = glm::vec3(light[t]);
     }
     std::vector<glm::vec3> sums;
@@ -201,6 +201,23 @@ TEST(PointDiffusion, GaussiansNarrowerThanItsPointsAreLeftOut) {
   EXPECT_TRUE(narrow.resolves(5));
   const PointDiffusion none(points, scaledByWidth(literatureSkin(), 0));
   for (int i = 1; i <= PointDiffusion::kLevels; ++i) EXPECT_FALSE(none.resolves(i)) << i;
+}
+
+TEST(DiffusionPlaces, AreAllThereAndNearTheOnesBefore) {
+  const Mesh mesh = test::icosphere(5, 10, glm::vec3(0));
+  const DiffusionPlaces places = inLocalOrder(mesh.positions, mesh.normals);
+  ASSERT_EQ(places.size(), mesh.positions.size());
+  std::vector<bool> seen(places.size(), false);
+  double way = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_FALSE(seen[places.order[i]]);
+    seen[places.order[i]] = true;
+    EXPECT_EQ(places.positions[i], mesh.positions[places.order[i]]);
+    EXPECT_EQ(places.normals[i], mesh.normals[places.order[i]]);
+    if (i > 0) way += double(glm::distance(places.positions[i], places.positions[i - 1]));
+  }
+  EXPECT_LT(way / double(places.size()), 0.8);  // sides are 0.35 long
+  EXPECT_EQ(inLocalOrder({}, {}).size(), 0u);
 }
 
 TEST(PointDiffusion, RefusesNonsenseAndCanBeCancelled) {

@@ -198,6 +198,15 @@ TEST_F(SkinLightTest, TerminatorOfABall) {
   }
 }
 
+// What the window spreads in the background.
+PointsLight refined(const EnteringLight& entering, const std::shared_ptr<const SkinSurface>& surface,
+                    BlockDiffusion& kept) {
+  const auto irradiance = gl::readTexels(entering.irradiance()),
+             thinness = gl::readTexels(entering.thinness());
+  return spreadByPoints(surface, entering.material().diffusion, entering.look().skin.thinModel,
+                        {irradiance, &thinness}, kept);
+}
+
 // Light from point to point that comes later takes the place of the blurs, is what finished pictures have, and stays until
 // the light changes.
 TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
@@ -221,8 +230,7 @@ TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
   EXPECT_EQ(view.light().diffuser().result().firstWeight, picture.light().diffuser().result().firstWeight);
 
   BlockDiffusion kept;
-  view.light().take(gpu, diffuseInBlocks(surface, literatureSkin(),
-                                         gl::readTexels(view.light().diffuser().level(0)), kept));
+  view.light().take(gpu, refined(view.light().entering(), surface, kept));
   EXPECT_TRUE(view.light().refined());
   EXPECT_EQ(read(view.light().diffuser().result().map), read(picture.light().diffuser().result().map));
   view.relight(gpu, look, {});
@@ -253,8 +261,7 @@ TEST_F(SkinLightTest, WhatIsRefinedIsTheLightThatEntersWideSkinToo) {
   const auto entered = gl::readTexels(view.light().entering().irradiance());
   EXPECT_NE(entered, gl::readTexels(view.light().diffuser().level(0)));
   BlockDiffusion kept;
-  view.light().take(gpu,
-                    diffuseInBlocks(surface, view.light().entering().material().diffusion, entered, kept));
+  view.light().take(gpu, refined(view.light().entering(), surface, kept));
   EXPECT_EQ(read(view.light().diffuser().result().map), read(picture.light().diffuser().result().map));
 }
 

@@ -76,7 +76,7 @@ std::vector<glm::vec3> byPoints(const Mesh& mesh, const SkinPlaces& places, cons
   for (const DiffusionTarget& t : truth.targets) found.push_back({t.irradiance});
   for (int i = 1; i <= PointDiffusion::kLevels; ++i) {
     const std::vector<glm::vec4> light =
-        diffusion.lightAt(i, levels[std::size_t(i - 1)], places.positions, places.normals);
+        diffusion.lightAt(i, levels[std::size_t(i - 1)], inLocalOrder(places.positions, places.normals));
     for (std::size_t p = 0; p < light.size(); ++p) found[p][std::size_t(i)] = glm::vec3(light[p]);
   }
   std::vector<glm::vec3> sums;

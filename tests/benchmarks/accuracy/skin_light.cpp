@@ -46,19 +46,16 @@ LitAtlas litByPoints(std::shared_ptr<const SkinSurface> surface, const SkinLight
   const GaussianSum skin = literatureSkin();
   BlockDiffusion kept;
   const double before = seconds();
-  diffuseInBlocks(surface, skin, irradiance, kept);
+  const auto spread = [&] { return diffuseInBlocks(surface, skin, {irradiance}, sumWeights(skin), kept); };
+  spread();
   const double built = seconds();
-  const PointDiffusion::Levels levels = diffuseInBlocks(surface, skin, irradiance, kept);
+  std::vector<glm::vec4> sum = spread();
   std::fprintf(stderr,
                "points of %zu triangles in %zu texels: %.2f CPU-s once, %.3f for each light, %zu MB\n",
                surface->mesh->triangles.size(), irradiance.size(), built - before, seconds() - built,
                kept.bytes() >> 20);
-  LitAtlas atlas{std::move(surface), std::vector<glm::vec4>(irradiance.size(), glm::vec4(0))};
-  for (std::size_t t = 0; t < irradiance.size(); ++t) {
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      atlas.diffused[t] += glm::vec4(skin.weights[i + 1], 0) * levels[i][t];
-    atlas.diffused[t].a = levels[0][t].a;
-  }
+  LitAtlas atlas{std::move(surface), std::move(sum)};
+  for (glm::vec4& texel : atlas.diffused) texel.a = texel.a > 0 ? 1.f : 0.f;
   return atlas;
 }
 
