@@ -1,7 +1,6 @@
 #include "core/io/image.h"
 
 #include <stb_image.h>
-#include <stb_image_write.h>
 
 #include <algorithm>
 #include <cstring>
@@ -11,18 +10,13 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
+#include "core/io/png_encoder.h"
 
 namespace sonoskin {
 namespace {
 
 constexpr int kMaxSide = 16384;
 constexpr double kMostPacked = 1100;  // bytes that one of a packed stream can stand for, and a little more
-
-void append(void* target, void* data, int bytes) {
-  const auto* first = static_cast<const std::uint8_t*>(data);
-  static_cast<std::vector<std::uint8_t>*>(target)->insert(
-      static_cast<std::vector<std::uint8_t>*>(target)->end(), first, first + bytes);
-}
 
 // A number of four bytes, the most significant first.
 std::size_t numberAt(const std::vector<std::uint8_t>& png, std::size_t at) {
@@ -50,19 +44,6 @@ int bitsPerPixel(const std::vector<std::uint8_t>& png) {
 }
 
 }  // namespace
-
-std::vector<std::uint8_t> encodePng(const Image& image) {
-  const std::size_t bytes = 4 * std::size_t(image.width) * std::size_t(image.height);
-  require(image.width > 0 && image.height > 0 && image.rgba.size() == bytes,
-          "A picture of {} x {} pixels with {} bytes cannot be written; it needs four bytes a pixel.",
-          image.width, image.height, image.rgba.size());
-  std::vector<std::uint8_t> png;
-  const int done =
-      stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(), 4 * image.width);
-  require(done != 0, "A picture of {} x {} pixels could not be packed; make it smaller.", image.width,
-          image.height);
-  return png;
-}
 
 void writePng(const std::filesystem::path& path, const Image& image) {
   requireFormat(FileKind::picture, path);

@@ -16,10 +16,6 @@ struct Image {
 //   errors  Error: no pixels, or not 4 * width * height bytes; (system) the file cannot be written
 void writePng(const std::filesystem::path& path, const Image& image);
 
-// encodePng: the bytes of a PNG file.
-//   errors  Error: no pixels, or not 4 * width * height bytes
-std::vector<std::uint8_t> encodePng(const Image& image);
-
 // readPng: reads a picture of up to 16384 x 16384 pixels; grey and colour without alpha become opaque RGBA.
 //   errors  Error: no such file, or not a complete PNG
 Image readPng(const std::filesystem::path& path);

@@ -13,6 +13,7 @@
 #include "core/io/assimp_scene.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_formats.h"
+#include "core/io/png_encoder.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;

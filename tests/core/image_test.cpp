@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/io/png_encoder.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -28,6 +32,61 @@ TEST(Png, KeepsEveryPixelAndTheOrderOfRows) {
   EXPECT_EQ(read.height, 21);
   EXPECT_EQ(read.rgba, image.rgba);
   EXPECT_EQ(folder.entries(), 1);
+}
+
+// Noise, flat areas and slopes, so that every filter has rows that it is best for.
+Image mixedRows(int width, int height) {
+  Image image{width, height, {}};
+  unsigned state = 1;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      state = state * 1664525u + 1013904223u;
+      const int noise = int(state >> 28);
+      const int kinds[] = {3 * x, 5 * (y / 6), (x + y) / 2 + noise, 2 * x + 3 * y, int(state >> 24)};
+      for (int c = 0; c < 3; ++c) image.rgba.push_back(std::uint8_t(kinds[y % 5] + 40 * c));
+      image.rgba.push_back(255);
+    }
+  return image;
+}
+
+TEST(Png, OpaquePicturesHaveThreeChannelsAndComeBack) {
+  const TempFolder folder;
+  Image image = mixedRows(61, 40);
+  const std::vector<std::uint8_t> opaque = encodePng(image);
+  EXPECT_EQ(opaque[25], 2);
+  writePng(folder / "a.png", image);
+  EXPECT_EQ(readPng(folder / "a.png").rgba, image.rgba);
+  image.rgba[7] = 254;
+  EXPECT_EQ(encodePng(image)[25], 6);
+  writePng(folder / "b.png", image);
+  EXPECT_EQ(readPng(folder / "b.png").rgba, image.rgba);
+}
+
+// What the format's formulas for undoing a filter give of each row, one byte after the other, is the picture.
+TEST(Png, FiltersAreUndone) {
+  const Image image = mixedRows(19, 35);
+  const int row = 3 * image.width;
+  const std::vector<std::uint8_t> filtered = filterRows(image, 3);
+  ASSERT_EQ(filtered.size(), std::size_t((row + 1) * image.height));
+  std::vector<int> pixels(std::size_t(row * image.height)), used(5);
+  for (int y = 0; y < image.height; ++y) {
+    const int filter = filtered[std::size_t(y * (row + 1))];
+    ASSERT_LE(filter, 4);
+    ++used[std::size_t(filter)];
+    for (int i = 0; i < row; ++i) {
+      const auto at = [&](int dy, int dx) {
+        return y < dy || i < dx ? 0 : pixels[std::size_t((y - dy) * row + i - dx)];
+      };
+      const int left = at(0, 3), up = at(1, 0), corner = at(1, 3), p = left + up - corner;
+      const int a = std::abs(p - left), b = std::abs(p - up), c = std::abs(p - corner);
+      const int nearest = a <= b && a <= c ? left : b <= c ? up : corner;
+      const int foretold[] = {0, left, up, (left + up) / 2, nearest};
+      const int value = (filtered[std::size_t(y * (row + 1) + 1 + i)] + foretold[filter]) & 255;
+      pixels[std::size_t(y * row + i)] = value;
+      ASSERT_EQ(value, image.rgba[std::size_t(4 * (y * image.width + i / 3) + i % 3)]) << y << " " << i;
+    }
+  }
+  EXPECT_GE(std::count_if(used.begin(), used.end(), [](int n) { return n > 0; }), 3);
 }
 
 TEST(Png, RefusesWhatIsNoPicture) {
