@@ -95,26 +95,30 @@ std::vector<float> brickMaxima(const Volume<float>& volume, int side) {
   return maxima;
 }
 
-template <class T>
-void GpuVolume::setVolume(const std::shared_ptr<const Volume<T>>& volume) {
+// Empty first: two would need twice the memory.
+void GpuVolume::begin(const Geometry& geometry) {
   static std::atomic<std::uint64_t> volumes{0};
-  *this = GpuVolume();  // two would need twice the memory
+  *this = GpuVolume();
   number_ = ++volumes;
-  if (!volume) return;
-  values_ = valueTexture(*volume);
-  geometry_ = volume->geometry;
+  geometry_ = geometry;
 }
 
 void GpuVolume::set(std::shared_ptr<const Volume<float>> volume) {
   if (volume == floats_ && !bytes_) return;
-  setVolume(volume);
+  begin(volume ? volume->geometry : Geometry{});
   floats_ = std::move(volume);
 }
 
 void GpuVolume::set(std::shared_ptr<const Volume<std::uint8_t>> volume) {
   if (volume == bytes_ && !floats_) return;
-  setVolume(volume);
+  begin(volume ? volume->geometry : Geometry{});
   bytes_ = std::move(volume);
+}
+
+const gl::Texture& GpuVolume::values() const {
+  if (!values_ && floats_) values_ = valueTexture(*floats_);
+  if (!values_ && bytes_) values_ = valueTexture(*bytes_);
+  return values_;
 }
 
 const gl::Texture& GpuVolume::bricks() {
@@ -144,15 +148,22 @@ Box GpuVolume::contentBox(float threshold) {
   return worldBox(part);
 }
 
+// Some slices at a time, which need little memory beside the texture's own.
 const gl::Texture& GpuVolume::shades() {
   if (shades_ || !floats_) return shades_;
+  constexpr int kSlices = 8;
   const auto dims = geometry_.dims;
-  std::vector<glm::u8vec4> texels(geometry_.voxels());
-  parallelFor(dims.z, [&](std::ptrdiff_t k) {
-    for (int j = 0; j < dims.y; ++j) shadeRow(*floats_, j, int(k), &texels[geometry_.index(0, j, int(k))]);
-  });
+  const std::size_t slice = geometry_.index(0, 0, 1);
   gl::Texture made({.size = dims, .format = gl::Format::rgba8});
-  made.upload(texels.data());
+  std::vector<glm::u8vec4> texels(slice * std::size_t(std::min(kSlices, dims.z)));
+  for (int first = 0; first < dims.z; first += kSlices) {
+    const int count = std::min(kSlices, dims.z - first);
+    parallelFor(std::ptrdiff_t(count) * dims.y, [&](std::ptrdiff_t row) {
+      const int j = int(row) % dims.y, k = int(row) / dims.y;
+      shadeRow(*floats_, j, first + k, &texels[geometry_.index(0, j, k)]);
+    });
+    made.uploadSlices(first, count, texels.data());
+  }
   return shades_ = std::move(made);
 }
 

@@ -10,44 +10,45 @@
 
 namespace sonoskin {
 
-// GpuVolume: a volume's copy on the GPU; uploads only where the volume is another object than the last time.
-// Values are taken as 0 to 1; those of byte volumes are divided by 255.
+// GpuVolume: a volume's copy on the GPU; each of its textures is made when it is first asked for, and again only where the
+// volume is another object than the last time. Values are taken as 0 to 1; those of byte volumes are divided by 255.
 class GpuVolume {
  public:
   static constexpr int kBrick = 8;  // voxels along a brick's side
 
   // set: keeps the volume alive, so that its address stays its name.
-  //   errors  Error (system): the driver cannot hold it; then it is empty
   void set(std::shared_ptr<const Volume<float>> volume);
   void set(std::shared_ptr<const Volume<std::uint8_t>> volume);
 
-  bool empty() const { return !values_; }
+  bool empty() const { return !floats_ && !bytes_; }
   // number: of the volume that was set, in the order of all that ever were; names of textures and addresses come back.
   std::uint64_t number() const { return number_; }
   const Geometry& geometry() const { return geometry_; }
   const std::shared_ptr<const Volume<float>>& floats() const { return floats_; }  // null for a byte volume
 
+  // The textures.
+  //   errors  Error (system): the driver cannot hold it
   // values: one 8-bit number per voxel where that is exact, else 16-bit.
-  const gl::Texture& values() const { return values_; }
+  const gl::Texture& values() const;
   // contentBox: world mm, around the bricks that hold a value above `threshold`; around all of them if none does.
   Box contentBox(float threshold);
   // bricks: for every 8^3 voxels the largest value that interpolation can give between their centres and the
   // next.
   const gl::Texture& bricks();
   // shades: xyz: gradient along i, j, k per mm times the smallest spacing times 4, from [-1, 1] to [0, 1]; w:
-  // the value. Made when first asked for.
+  // the value.
   const gl::Texture& shades();
 
  private:
-  template <class T>
-  void setVolume(const std::shared_ptr<const Volume<T>>& volume);
+  void begin(const Geometry& geometry);
 
   std::shared_ptr<const Volume<float>> floats_;
   std::shared_ptr<const Volume<std::uint8_t>> bytes_;
   Geometry geometry_;
   std::uint64_t number_ = 0;
-  std::vector<float> maxima_;  // of the bricks
-  gl::Texture values_, bricks_, shades_;
+  std::vector<float> maxima_;   // of the bricks
+  mutable gl::Texture values_;  // made by who only looks
+  gl::Texture bricks_, shades_;
 };
 
 // brickMaxima: the largest value of every brick of side^3 cells (a cell spans a voxel's centre to the next).

@@ -1,6 +1,7 @@
 #include "render/pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/base/error.h"
@@ -8,6 +9,7 @@
 #include "core/volume/gaussian.h"
 #include "core/volume/resample.h"
 #include "render/gl/read_pixels.h"
+#include "render/plane_slices.h"
 
 namespace sonoskin {
 namespace {
@@ -28,6 +30,14 @@ Volume<float> voxelsInside(const Volume<float>& volume, const Box& box) {
   const glm::ivec3 first(glm::floor(glm::max(low, 0.0)));
   const glm::ivec3 end = glm::ivec3(glm::ceil(glm::min(high, last))) + 1;
   return cropVolume(volume, first, end - first);
+}
+
+// How many rays along a pixel's side a smoothed volume needs: a picture finer than its voxels is interpolated.
+float raysPerPixel(const Geometry& g, const Camera& camera, glm::ivec2 size) {
+  constexpr float kRays = 1.15f, kFewest = 0.25f;  // along the smallest voxel's side; a pixel's
+  const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
+  const float pixel = 2 * camera.distance * tangent / float(size.y);  // mm
+  return std::clamp(kRays * pixel / float(g.minSpacing()), kFewest, 1.0f);
 }
 
 float aspectOf(glm::ivec2 size) { return float(size.x) / float(size.y); }
@@ -76,6 +86,7 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
   const Box framed = look.crop ? worldBox(volume->geometry) : gpuVolume.contentBox(look.iso);
   const Camera camera =
       parseCamera(options.camera, options.beam, framed, aspectOf(options.size), options.faceCamera());
+  const bool softens = look.look == VolumeLook::translucent && look.smoothing >= 1;
   const gl::Framebuffer picture({.size = options.size});
   Raycaster raycaster;
   raycaster.draw({.volume = gpuVolume,
@@ -84,7 +95,8 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
                   .look = look.look,
                   .iso = look.iso,
                   .transfer = amberTransfer(look.iso),
-                  .gradientReach = 1.5f},
+                  .gradientReach = 1.5f,
+                  .raysPerPixel = softens ? raysPerPixel(volume->geometry, camera, options.size) : 1},
                  picture);
   return gl::readImage(picture);
 }
@@ -109,27 +121,6 @@ glm::dvec3 brightMiddle(const Volume<float>& volume) {
 
 namespace {
 
-// One column of a picture of slices.
-struct Column {
-  GpuVolume volume;
-  const GpuVolume* overlay = nullptr;
-  GreyWindow window{};
-};
-
-std::vector<Column> columnsOf(const SlicesInput& input, GpuVolume& thinned) {
-  std::vector<Column> columns(1);
-  columns[0].volume.set(input.raw);
-  if (input.classified) columns.emplace_back().volume.set(input.classified);
-  if (input.thinned) {
-    thinned.set(input.thinned);
-    Column& column = columns.emplace_back();
-    column.volume.set(input.raw);
-    column.overlay = &thinned;
-    column.window = {1.0f, 2.0f};  // raw at half its brightness, so that the colour stands out
-  }
-  return columns;
-}
-
 // The sides of the region's box, around its outermost voxels; none where nothing is cut.
 std::optional<std::array<glm::dvec3, 2>> boxOf(Region region, const Geometry& g) {
   region.erased.reset();
@@ -138,39 +129,64 @@ std::optional<std::array<glm::dvec3, 2>> boxOf(Region region, const Geometry& g)
   return std::array{g.toWorld(glm::dvec3(region.first) - 0.5), g.toWorld(glm::dvec3(region.last) + 0.5)};
 }
 
+// SlicesFrame: what the panels of a picture of slices share, and where they lie: in three rows, the first on top.
+struct SlicesFrame {
+  static constexpr int kGap = 3;  // pixels between the panels
+  const SlicesInput& input;
+  const gl::Framebuffer& picture;
+  glm::dvec3 cursor;
+  glm::ivec2 panel;
+  GpuMask erased{};
+
+  // OpenGL counts from the bottom.
+  gl::Target target(int row, int column) const {
+    return {picture.name(),
+            {(panel.x + kGap) * column, picture.size().y - panel.y - (panel.y + kGap) * row},
+            panel};
+  }
+};
+
+// One plane: raw, classified, and thinned in colour over raw, of the slices alone that it lies between.
+void drawRow(SliceView& view, const SlicesFrame& frame, int row) {
+  const SlicesInput& input = frame.input;
+  const SliceCamera camera{.plane = kPlanes[std::size_t(row)], .cursor = frame.cursor};
+  GpuVolume raw, classified, thinned;
+  raw.set(slicesAround(input.raw, camera.plane, camera.cursor));
+  classified.set(slicesAround(input.classified, camera.plane, camera.cursor));
+  thinned.set(slicesAround(input.thinned, camera.plane, camera.cursor));
+  int column = 0;
+  const auto draw = [&](const GpuVolume& volume, const GreyWindow& window, const GpuVolume* overlay) {
+    view.draw({.frame = input.raw->geometry,
+               .camera = camera,
+               .volume = volume,
+               .window = window,
+               .overlay = overlay,
+               .erased = &frame.erased,
+               .box = boxOf(input.region, input.raw->geometry)},
+              frame.target(row, column++));
+  };
+  draw(raw, {}, nullptr);
+  if (input.classified) draw(classified, {}, nullptr);
+  // Raw at half its brightness, so that the colour stands out.
+  if (input.thinned) draw(raw, {1.0f, 2.0f}, &thinned);
+}
+
 }  // namespace
 
 Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2 size) {
   checkPictureSize(size);
   context.makeCurrent();
-  GpuVolume thinned;
-  const auto columns = columnsOf(input, thinned);
-  const glm::dvec3 cursor =
-      input.cursor.value_or(brightMiddle(input.classified ? *input.classified : *input.raw));
   const gl::Framebuffer picture({.size = size});
   picture.clear({0.10f, 0.11f, 0.12f, 1});
-  constexpr int kGap = 3;  // pixels between the panels
-  const int count = int(columns.size());
-  const glm::ivec2 panel =
-      glm::max((size - kGap * (glm::ivec2(count, 3) - 1)) / glm::ivec2(count, 3), glm::ivec2(1));
-  GpuMask erased;
-  if (input.region.erased) erased.set(*input.region.erased, Hasher("erased").key());
+  const int columns = 1 + (input.classified ? 1 : 0) + (input.thinned ? 1 : 0);
+  const glm::ivec2 panels(columns, 3);
+  SlicesFrame frame{
+      input, picture,
+      input.cursor ? *input.cursor : brightMiddle(input.classified ? *input.classified : *input.raw),
+      glm::max((size - SlicesFrame::kGap * (panels - 1)) / panels, glm::ivec2(1))};
+  if (input.region.erased) frame.erased.set(*input.region.erased, Hasher("erased").key());
   SliceView view;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < count; ++column) {
-      const Column& c = columns[std::size_t(column)];
-      const SliceCamera camera{.plane = kPlanes[std::size_t(row)], .cursor = cursor};
-      // The first row is on top; OpenGL counts from the bottom.
-      const glm::ivec2 corner((panel.x + kGap) * column, size.y - panel.y - (panel.y + kGap) * row);
-      view.draw({.frame = input.raw->geometry,
-                 .camera = camera,
-                 .volume = c.volume,
-                 .window = c.window,
-                 .overlay = c.overlay,
-                 .erased = &erased,
-                 .box = boxOf(input.region, input.raw->geometry)},
-                gl::Target(picture.name(), corner, panel));
-    }
+  for (int row = 0; row < 3; ++row) drawRow(view, frame, row);
   return gl::readImage(picture);
 }
 

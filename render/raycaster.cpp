@@ -81,6 +81,22 @@ Key lightKeyOf(const RaycastInput& input) {
   return hasher.key();
 }
 
+// How many of the layers that a transfer function's opacity means one step of a ray passes.
+float stepLayers(const Geometry& g) { return float(g.minSpacing() * 250 / worldDiagonal(g)); }
+
+// The share of the key light that arrives, and the colour that it has then: light that has travelled through tissue comes
+// out redder.
+gl::Texture lightTexture(const Volume<float>& light) {
+  std::vector<glm::u8vec4> texels;
+  texels.reserve(light.data.size());
+  for (const float share : light.data)
+    texels.emplace_back(255.0f * glm::vec4(std::pow(share, 0.7f), share, std::pow(share, 1.25f), share) +
+                        0.5f);
+  gl::Texture texture({.size = light.geometry.dims, .format = gl::Format::rgba8});
+  texture.upload(texels.data());
+  return texture;
+}
+
 glm::ivec2 scaled(glm::ivec2 size, float factor) {
   return glm::max(glm::ivec2(glm::round(glm::vec2(size) * factor)), glm::ivec2(1));
 }
@@ -171,7 +187,6 @@ void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
   program.set("transfer", 3);
   program.set("lightScale", 1.0f / glm::vec3(light_.size() * kLightCell));
   program.set("threshold", input.transfer.threshold());
-  program.set("stepOpacity", float(g.minSpacing() * 250 / worldDiagonal(g)));
   const glm::mat3 toAxes(glm::transpose(g.direction));
   program.set("keyAxes", toAxes * input.lighting.key.direction);
   program.set("fillAxes", toAxes * input.lighting.fill.direction);
@@ -183,11 +198,9 @@ void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
 void Raycaster::updateLight(const RaycastInput& input) {
   const Key key = lightKeyOf(input);
   if (key == lightKey_) return;
-  transfer_ = makeTransferTexture(input.transfer);
-  const Volume<float> light =
-      lightVolume(*input.volume.floats(), input.transfer, input.lighting.key.direction, kLightCell);
-  light_ = gl::Texture({.size = light.geometry.dims, .format = gl::Format::r32f});
-  light_.upload(light.data.data());
+  const Volume<float>& volume = *input.volume.floats();
+  transfer_ = makeTransferTexture(input.transfer, stepLayers(volume.geometry));
+  light_ = lightTexture(lightVolume(volume, input.transfer, input.lighting.key.direction, kLightCell));
   lightKey_ = key;
 }
 

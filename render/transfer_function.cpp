@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace sonoskin {
 
@@ -36,11 +37,16 @@ TransferFunction greyTransfer(float iso) {
   return transfer;
 }
 
-gl::Texture makeTransferTexture(const TransferFunction& transfer) {
-  constexpr int kTexels = 256;
+gl::Texture makeTransferTexture(const TransferFunction& transfer, float layers) {
+  constexpr int kTexels = 1024;
   std::vector<glm::vec4> texels;
-  for (int i = 0; i < kTexels; ++i) texels.push_back(transfer.at(float(i) / float(kTexels - 1)));
-  gl::Texture texture({.size = {kTexels, 1, 0}, .format = gl::Format::rgba32f});
+  for (int i = 0; i < kTexels; ++i) {
+    glm::vec4 look = transfer.at(float(i) / float(kTexels - 1));
+    look.a = 1 - std::pow(1 - look.a, layers);
+    texels.push_back(look);
+  }
+  gl::Texture texture(
+      {.size = {kTexels, 1, 0}, .format = gl::Format::rgba32f, .filter = gl::Filter::nearest});
   texture.upload(texels.data());
   return texture;
 }

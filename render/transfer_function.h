@@ -32,7 +32,9 @@ TransferFunction amberTransfer(float iso);
 // greyTransfer: the same opacities without colour.
 TransferFunction greyTransfer(float iso);
 
-// makeTransferTexture: 256 texels along x, rgb and opacity as floats.
-gl::Texture makeTransferTexture(const TransferFunction& transfer);
+// makeTransferTexture: 1024 texels along x for the values 0 to 1, rgb and opacity as floats; to be read without
+// interpolation.
+//   layers  how many of the layers that the opacities mean a texel's opacity is of, >= 0
+gl::Texture makeTransferTexture(const TransferFunction& transfer, float layers = 1);
 
 }  // namespace sonoskin

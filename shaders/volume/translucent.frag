@@ -7,11 +7,10 @@
 in vec2 uv;
 
 uniform sampler3D shades;      // gradient and value, see render/gpu_volume.h
-uniform sampler3D lightMap;    // share of the key light that arrives, 0 to 1
+uniform sampler3D lightMap;    // a: share of the key light that arrives, 0 to 1; rgb: its colour there, 1 in the open
 uniform vec3 lightScale;       // 1 / the voxels that the light map spans
-uniform sampler2D transfer;
+uniform sampler2D transfer;    // by value: colour, and opacity of one step
 uniform float threshold;       // values up to this are transparent
-uniform float stepOpacity;     // steps per layer that the transfer function's opacity means
 uniform vec3 keyAxes, fillAxes;  // toward the lights, along the volume's axes
 
 layout(location = 0) out vec4 colour;
@@ -20,33 +19,32 @@ void main() {
   Ray ray = makeRay(uv);
   float offset = pixelNoise(gl_FragCoord.xy);
   float t = ray.from + offset * ray.step;
-  vec3 sum = vec3(0.0), scale = 1.0 / vec3(dims);
+  vec3 sum = vec3(0.0);
   float through = 1.0;
   vec3 ambientColour = 0.5 * (skyColour + groundColour);
+  int texels = textureSize(transfer, 0).x;
+  vec3 scale = 1.0 / vec3(dims);
   while (t < ray.to && through > 0.01) {
     vec3 index = ray.origin + t * ray.direction;
-    if (brickMaximum(index) <= threshold) {
+    // A loop of its own: a software rasteriser runs the whole body of a loop for every turn of it.
+    while (t < ray.to && brickMaximum(index) <= threshold) {
       t = leap(ray, t, index, offset);
-    } else {
-      vec3 place = (index + 0.5) * scale;
-      vec4 shade = texture(shades, place);
-      if (isErased(index)) shade.w = 0.0;
-      vec4 look = texture(transfer, vec2(shade.w * (255.0 / 256.0) + 0.5 / 256.0, 0.5));
-      float opacity = 1.0 - exp2(stepOpacity * log2(1.0 - look.a));
-      vec3 gradient = 2.0 * shade.xyz - 256.0 / 255.0;
-      float strength = length(gradient);
-      vec3 normal = -gradient / max(strength, 1e-4);
-      float surfaceness = clamp(6.0 * strength, 0.0, 1.0);
-      float key = mix(0.55, max(0.25 + 0.85 * dot(normal, keyAxes), 0.0), surfaceness);
-      float fill = mix(0.5, max(0.3 + 0.7 * dot(normal, fillAxes), 0.0), surfaceness);
-      float arriving = texture(lightMap, (index + 0.5) * lightScale).r;
-      // Light that has travelled through tissue comes out redder.
-      vec3 tint = pow(vec3(arriving), vec3(0.7, 1.0, 1.25));
-      vec3 light = keyColour * key * tint + fillColour * fill + ambientColour * (0.35 + 0.65 * arriving);
-      sum += through * opacity * look.rgb * light;
-      through *= 1.0 - opacity;
-      t += ray.step;
+      index = ray.origin + t * ray.direction;
     }
+    vec4 shade = texture(shades, (index + 0.5) * scale);
+    if (isErased(index) || t >= ray.to) shade.w = 0.0;
+    vec4 look = texelFetch(transfer, ivec2(shade.w * float(texels - 1) + 0.5, 0), 0);
+    vec3 gradient = 2.0 * shade.xyz - 256.0 / 255.0;
+    float strength = length(gradient);
+    vec3 normal = -gradient / max(strength, 1e-4);
+    float surfaceness = clamp(6.0 * strength, 0.0, 1.0);
+    float key = mix(0.55, max(0.25 + 0.85 * dot(normal, keyAxes), 0.0), surfaceness);
+    float fill = mix(0.5, max(0.3 + 0.7 * dot(normal, fillAxes), 0.0), surfaceness);
+    vec4 arriving = texture(lightMap, (index + 0.5) * lightScale);
+    vec3 light = keyColour * key * arriving.rgb + fillColour * fill + ambientColour * (0.35 + 0.65 * arriving.a);
+    sum += through * look.a * look.rgb * light;
+    through *= 1.0 - look.a;
+    t += ray.step;
   }
   colour = vec4(sum, 1.0 - through);
 }

@@ -59,14 +59,14 @@ TEST_F(MemoryTest, FramebuffersAreCompleteOrRefused) {
   EXPECT_EQ(kept.size(), glm::ivec2(8, 4));
 }
 
-TEST_F(MemoryTest, AVolumeThatDoesNotFitIsNone) {
+TEST_F(MemoryTest, AVolumeThatDoesNotFitIsRefused) {
   Geometry g;
   g.dims = {kTooLong, 1, 1};
   GpuVolume volume;
-  const auto data = std::make_shared<const Volume<float>>(g);
+  volume.set(std::make_shared<const Volume<float>>(g));
   for (int i = 0; i < 2; ++i) {
-    EXPECT_NE(sentenceOf([&] { volume.set(data); }), "") << "in silence the second time";
-    EXPECT_TRUE(volume.empty());
+    EXPECT_NE(sentenceOf([&] { volume.values(); }), "") << "in silence the second time";
+    EXPECT_NE(sentenceOf([&] { volume.shades(); }), "") << "in silence the second time";
   }
 }
 

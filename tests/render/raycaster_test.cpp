@@ -109,6 +109,31 @@ TEST_F(RaycasterTest, FewerRaysShowTheSamePictureMoreSoftly) {
   EXPECT_EQ(raycaster_.surface().size(), kSize / 2);
 }
 
+// What pictures of volumes finer than their voxels rely on: a ball of some twelve pixels a voxel's side.
+TEST_F(RaycasterTest, FewerRaysShowTheSameTranslucentPicture) {
+  const auto picture = [&](float raysPerPixel) {
+    camera_ = parseCamera("front,azimuth=25", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+    target_ = gl::Framebuffer({.size = 4 * kSize});
+    raycaster_.draw({.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .look = VolumeLook::translucent,
+                     .transfer = amberTransfer(0.5f),
+                     .raysPerPixel = raysPerPixel},
+                    target_);
+    return gl::readImage(target_);
+  };
+  const Image fine = picture(1), coarse = picture(0.5f);
+  EXPECT_EQ(raycaster_.translucent().size(), 2 * kSize);
+  double sum = 0, light = 0;
+  for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
+    sum += std::abs(int(fine.rgba[i]) - int(coarse.rgba[i]));
+    light += i % 4 == 0 && fine.rgba[i] > 100;
+  }
+  EXPECT_GT(light, 0.1 * double(fine.rgba.size() / 4)) << "nothing is seen";
+  EXPECT_LT(sum / double(fine.rgba.size()), 0.5);
+}
+
 // As pictures for a file have them: the ball's edge is no staircase.
 TEST_F(RaycasterTest, MoreRaysSmoothTheEdge) {
   const auto greys = [&](float raysPerPixel) {

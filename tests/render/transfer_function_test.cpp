@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "render/gl/read_pixels.h"
 #include "tests/render/support/gl_test.h"
 
@@ -39,8 +41,17 @@ class TransferTextureTest : public GlTest {};
 
 TEST_F(TransferTextureTest, HoldsTheFunction) {
   const auto texels = gl::readFloats(makeTransferTexture(kRamp), 4);
-  ASSERT_EQ(texels.size(), 1024u);
-  for (std::size_t i = 0; i < 256; ++i) EXPECT_FLOAT_EQ(texels[4 * i + 3], kRamp.at(float(i) / 255).a);
+  const auto thin = gl::readFloats(makeTransferTexture(kRamp, 0.5f), 4);
+  const std::size_t count = texels.size() / 4;
+  ASSERT_EQ(count, 1024u);
+  ASSERT_EQ(thin.size(), texels.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec4 look = kRamp.at(float(i) / float(count - 1));
+    EXPECT_FLOAT_EQ(texels[4 * i], look.r);
+    EXPECT_NEAR(texels[4 * i + 3], look.a, 1e-6);
+    // Two layers of half the thickness are one.
+    EXPECT_NEAR(1 - std::pow(1 - thin[4 * i + 3], 2), look.a, 1e-6);
+  }
 }
 
 }  // namespace
