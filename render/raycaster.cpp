@@ -84,15 +84,11 @@ Key lightKeyOf(const RaycastInput& input) {
 // How many of the layers that a transfer function's opacity means one step of a ray passes.
 float stepLayers(const Geometry& g) { return float(g.minSpacing() * 250 / worldDiagonal(g)); }
 
-// The share of the key light that arrives, and the colour that it has then: light that has travelled through tissue comes
-// out redder.
 gl::Texture lightTexture(const Volume<float>& light) {
-  std::vector<glm::u8vec4> texels;
+  std::vector<std::uint8_t> texels;
   texels.reserve(light.data.size());
-  for (const float share : light.data)
-    texels.emplace_back(255.0f * glm::vec4(std::pow(share, 0.7f), share, std::pow(share, 1.25f), share) +
-                        0.5f);
-  gl::Texture texture({.size = light.geometry.dims, .format = gl::Format::rgba8});
+  for (const float share : light.data) texels.push_back(std::uint8_t(255 * share + 0.5f));
+  gl::Texture texture({.size = light.geometry.dims, .format = gl::Format::r8});
   texture.upload(texels.data());
   return texture;
 }

@@ -7,8 +7,11 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <utility>
 
 #include "app/batch/crash_message.h"
+#include "app/batch/picture_writer.h"
+#include "app/batch/waiting_picture.h"
 #include "app/document/face_view.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
@@ -108,20 +111,6 @@ void checkMeshes(BatchRun& run, const Results& results) {
   });
 }
 
-// The finished picture of the skin, and its maps for files.
-void drawSkin(BatchRun& run, gl::Context& context, const Results& results, const PictureOptions& frame,
-              const Progress& progress) {
-  const bool bakes = run.options.bake != Bake::none;
-  const SkinPictureOptions look{.quality = run.options.skinQuality};
-  Parameters parameters = run.parameters;  // the recipe keeps what was given by hand
-  parameters.landmarks = landmarksWithFace(run.parameters, results.face.get());
-  writePng(run.file("skin.png"),
-           pictureOfSkin(context, results.mesh, parameters, look, frame, progress.part(0, bakes ? 0.5 : 1)));
-  if (!bakes) return;
-  const BakeOptions bake{run.options.skinQuality, run.options.bake == Bake::light};
-  run.baked = bakeSkin(context, results.mesh, parameters, bake, frame, progress.part(0.5, 1));
-}
-
 // Before the face, upright, where one was found; else from the probe.
 PictureOptions frameOf(const BatchRun& run, const Scan& scan, const Results& results) {
   const FaceFit* face = run.report.face.used ? results.face.get() : nullptr;
@@ -136,26 +125,63 @@ PictureOptions frameOf(const BatchRun& run, const Scan& scan, const Results& res
   return frame;
 }
 
-void drawPictures(BatchRun& run, const Scan& scan, const Results& results) {
+// SkinShot: what the picture of the skin and its maps are made from.
+struct SkinShot {
+  std::shared_ptr<const Mesh> mesh;
+  Parameters parameters;
+  PictureOptions frame;
+};
+
+SkinShot skinShot(const BatchRun& run, const Scan& scan, const Results& results) {
+  SkinShot shot{results.mesh, run.parameters, frameOf(run, scan, results)};
+  // The recipe keeps what was given by hand.
+  shot.parameters.landmarks = landmarksWithFace(run.parameters, results.face.get());
+  return shot;
+}
+
+Image drawSkin(gl::Context& context, const SkinShot& shot, const SkinQuality& quality,
+               const Progress& progress) {
+  return pictureOfSkin(context, shot.mesh, shot.parameters, {.quality = quality}, shot.frame, progress);
+}
+
+// Slices and volume, whose memory is given back behind them; what comes later needs the mesh alone.
+void drawScan(BatchRun& run, gl::Context& context, Scan& scan, Results& results, const PictureOptions& frame,
+              PictureWriter& writer) {
+  const Region region = regionOf(scan, run.parameters.region);
+  writer.write(run.folder.file("slices.png"),
+               pictureOfSlices(context,
+                               {scan.volume, std::exchange(results.classified, {}),
+                                std::exchange(results.thinned, {}), middleOf(*results.mesh), region},
+                               run.options.pictureSize));
+  VolumePictureOptions look;
+  look.iso = float(results.visibleLevel);
+  look.crop = boxAround(*results.mesh);
+  writer.write(run.folder.file("volume.png"),
+               pictureOfVolume(context, withinRegion(std::exchange(scan.volume, {}), region), look, frame));
+}
+
+// The skin is drawn last: it takes the most memory, and was being prepared meanwhile.
+void drawPictures(BatchRun& run, Scan scan, Results results, WaitingPicture& skin, const SkinShot& shot) {
   run.stage("pictures", [&] {
     const auto context = gl::makeOffscreenContext(run.options.backend);
     run.report.gl = gl::glInfo();
-    const PictureOptions frame = frameOf(run, scan, results);
+    for (const char* name : {"skin.png", "mesh.png", "volume.png", "slices.png"})
+      run.report.files.push_back(name);
     const Progress progress = run.progress.part(kWritten, kDrawn);
-    drawSkin(run, *context, results, frame, progress.part(0, 0.4));
-    VolumePictureOptions look;
-    look.iso = float(results.visibleLevel);
-    look.crop = boxAround(*results.mesh);
-    writePng(run.file("mesh.png"), pictureOfMesh(*context, results.mesh, MeshLook::clay, frame));
+    PictureWriter writer;
+    drawScan(run, *context, scan, results, shot.frame, writer);
+    progress.update(0.3);
+    writer.write(run.folder.file("mesh.png"),
+                 pictureOfMesh(*context, results.mesh, MeshLook::clay, shot.frame));
     progress.update(0.5);
-    const Region region = regionOf(scan, run.parameters.region);
-    writePng(run.file("volume.png"),
-             pictureOfVolume(*context, withinRegion(scan.volume, region), look, frame));
-    progress.update(0.8);
-    const SlicesInput slices{scan.volume, results.classified, results.thinned, middleOf(*results.mesh),
-                             region};
-    writePng(run.file("slices.png"), pictureOfSlices(*context, slices, run.options.pictureSize));
-    return 4 * 4 * std::size_t(frame.size.x) * std::size_t(frame.size.y);
+    const bool bakes = run.options.bake != Bake::none;
+    writer.write(run.folder.file("skin.png"), skin.take(*context, progress.part(0.5, bakes ? 0.7 : 1)));
+    if (bakes)
+      run.baked = bakeSkin(*context, shot.mesh, shot.parameters,
+                           {run.options.skinQuality, run.options.bake == Bake::light}, shot.frame,
+                           progress.part(0.7, 1));
+    writer.finish();
+    return 4 * 4 * std::size_t(shot.frame.size.x) * std::size_t(shot.frame.size.y);
   });
 }
 
@@ -240,11 +266,12 @@ void publish(BatchRun& run, const Timer& timer) {
 }
 
 // What was computed is safe by now. A renderer that has no memory may end the program without an exception.
-void addPictures(BatchRun& run, const Scan& scan, const Results& results, const Timer& timer) {
+template <class Draw>
+void addPictures(BatchRun& run, const Timer& timer, const Draw& draw) {
   const CrashMessage message(
       "sonoskin: error: The pictures could not be drawn (memory may be short); the surface is written.\n");
   try {
-    drawPictures(run, scan, results);
+    draw();
     writeBaked(run, run.progress.part(kDrawn, 1));
   } catch (const Error& error) {
     throw Error(fmt::format("The surface is written, but its pictures could not be drawn: {}", error.what()),
@@ -271,12 +298,16 @@ Report runBatch(const BatchOptions& options, const Progress& progress,
                {}};
   run.report.threads = threadCount();
 
-  const Scan scan = load(run);
-  const Results results = compute(run, scan);
+  Scan scan = load(run);
+  Results results = compute(run, scan);
+  const SkinShot shot = skinShot(run, scan, results);
+  WaitingPicture skin([&](gl::Context& context, const Progress& part) {
+    return drawSkin(context, shot, options.skinQuality, part);
+  });
   checkMeshes(run, results);
   run.stage("files", [&] { return writeFiles(run, scan, results); });
   publish(run, timer);
-  addPictures(run, scan, results, timer);
+  addPictures(run, timer, [&] { drawPictures(run, std::move(scan), std::move(results), skin, shot); });
   return run.report;
 }
 

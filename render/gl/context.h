@@ -21,6 +21,8 @@ class Context {
 
   // makeCurrent: later GL calls of this thread go here. Cheap if it is current already.
   virtual void makeCurrent() = 0;
+  // release: it is current on this thread no longer, and may become so on another.
+  virtual void release() = 0;
 };
 
 // makeOffscreenContext: a context for pictures without a display; it is current afterwards.

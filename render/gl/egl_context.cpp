@@ -56,6 +56,7 @@ class EglContext final : public Context {
     forget(this);
     eglDestroyContext(display_, context_);
   }
+  void release() override { forget(this); }
   void makeCurrent() override {
     if (switchTo(this, releaseEgl)) return;
     eglBindAPI(EGL_OPENGL_API);

@@ -17,7 +17,7 @@ std::unique_ptr<Context> makeOsMesaContext();
 using Release = void (*)();
 bool switchTo(const Context* next, Release release);
 
-// forget: a context that is going away is no longer current.
+// forget: a context that is going away, or to another thread, is current on this one no longer.
 void forget(const Context* gone);
 
 }  // namespace sonoskin::gl

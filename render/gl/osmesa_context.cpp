@@ -56,6 +56,7 @@ class OsMesaContext final : public Context {
     forget(this);
     osMesa().destroy(context_);
   }
+  void release() override { forget(this); }
   void makeCurrent() override {
     if (switchTo(this, releaseOsMesa)) return;
     if (!osMesa().makeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1))

@@ -7,7 +7,7 @@
 in vec2 uv;
 
 uniform sampler3D shades;      // gradient and value, see render/gpu_volume.h
-uniform sampler3D lightMap;    // a: share of the key light that arrives, 0 to 1; rgb: its colour there, 1 in the open
+uniform sampler3D lightMap;    // share of the key light that arrives, 0 to 1
 uniform vec3 lightScale;       // 1 / the voxels that the light map spans
 uniform sampler2D transfer;    // by value: colour, and opacity of one step
 uniform float threshold;       // values up to this are transparent
@@ -40,8 +40,10 @@ void main() {
     float surfaceness = clamp(6.0 * strength, 0.0, 1.0);
     float key = mix(0.55, max(0.25 + 0.85 * dot(normal, keyAxes), 0.0), surfaceness);
     float fill = mix(0.5, max(0.3 + 0.7 * dot(normal, fillAxes), 0.0), surfaceness);
-    vec4 arriving = texture(lightMap, (index + 0.5) * lightScale);
-    vec3 light = keyColour * key * arriving.rgb + fillColour * fill + ambientColour * (0.35 + 0.65 * arriving.a);
+    float arriving = texture(lightMap, (index + 0.5) * lightScale).r;
+    // Light that has travelled through tissue comes out redder.
+    vec3 tint = pow(vec3(arriving), vec3(0.7, 1.0, 1.25));
+    vec3 light = keyColour * key * tint + fillColour * fill + ambientColour * (0.35 + 0.65 * arriving);
     sum += through * look.a * look.rgb * light;
     through *= 1.0 - look.a;
     t += ray.step;
