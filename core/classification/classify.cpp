@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
-#include "core/classification/data_term.h"
-#include "core/classification/neighbour_terms.h"
-#include "core/classification/pcg.h"
+#include "core/classification/slab_solver.h"
 #include "core/classification/thesis_system.h"
 
 namespace sonoskin {
@@ -13,12 +11,7 @@ namespace sonoskin {
 Volume<float> classify(const Volume<float>& volume, const Smoothed& smoothed,
                        const ClassificationOptions& options, const Progress& progress) {
   if (options.formulation != Formulation::variational) return classifyThesis(volume, options, progress);
-  DataTerm term = dataTerm({volume, smoothed.lowPassed, options, smoothed.levels}, progress.part(0, 0.1));
-  Solution solution =
-      solvePcg(neighbourTerms(smoothed, options), std::move(term), options.tolerance, progress.part(0.1, 1));
-  Volume<float> result;
-  result.geometry = volume.geometry;
-  result.data = std::move(solution.u);
+  Volume<float> result = solveInSlabs({volume, smoothed.lowPassed, options, smoothed.levels}, progress);
   clampToTarget(result, options);
   return result;
 }

@@ -75,4 +75,16 @@ double absoluteBeta(const ClassificationOptions& o) {
   return o.beta * o.tangentialLength * o.tangentialLength * o.gamma * edgePull(o, 0.06);
 }
 
+double couplingLength(const ClassificationOptions& o) {
+  double most = 0;
+  for (double gradient = 1e-3; gradient < 2; gradient *= 1.1) {
+    const double g2 = gradient * gradient;
+    const double a =
+        std::min(o.noiseFloor * o.noiseFloor / (g2 + double(kFlatGradient)), o.farthest * o.farthest);
+    const double c = o.alpha * a + o.gamma * edgePull(o, gradient);
+    most = std::max(most, absoluteBeta(o) * g2 / (g2 + o.directionScale * o.directionScale) / c);
+  }
+  return std::sqrt(most);
+}
+
 }  // namespace sonoskin

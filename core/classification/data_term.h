@@ -41,4 +41,9 @@ void dataTermRow(const DataSource& source, int j, int k, float* diagonal, float*
 // edge: beta l^2 gamma h_ref, h_ref = h at |grad| = 0.06.
 double absoluteBeta(const ClassificationOptions& options);
 
+// couplingLength: how far what happens at one voxel reaches at most: within so many smallest spacings it fades by e.
+//   method  sqrt(beta |g|^2 / c), the largest of any gradient: where edges are weak, c holds u down, and where they are
+//           strong, h does
+double couplingLength(const ClassificationOptions& options);
+
 }  // namespace sonoskin

@@ -10,10 +10,10 @@ namespace sonoskin {
 namespace {
 
 // 127 g for one row of cells.
-void directionRow(const Volume<float>& v, const glm::vec3& scale, float kappa, std::size_t start,
-                  Directions& out) {
-  const std::ptrdiff_t row = v.geometry.dims.x, plane = std::ptrdiff_t(v.geometry.index(0, 0, 1));
-  const float *a = v.data.data() + start, *b = a + row, *c = a + plane, *d = c + row;
+void directionRow(const float* a, const Geometry& geometry, float kappa, std::size_t start, Directions& out) {
+  const glm::vec3 scale = geometry.axisScale();
+  const std::ptrdiff_t row = geometry.dims.x, plane = std::ptrdiff_t(geometry.index(0, 0, 1));
+  const float *b = a + row, *c = a + plane, *d = c + row;
   std::int8_t *qx = &out.x[start], *qy = &out.y[start], *qz = &out.z[start];
   const float kx = 0.25f * scale.x, ky = 0.25f * scale.y, kz = 0.25f * scale.z, floor = kappa * kappa;
 #pragma omp simd
@@ -37,10 +37,11 @@ void clearRow(std::size_t start, std::size_t count, Directions& out) {
 
 }  // namespace
 
-Directions cellDirections(const Volume<float>& lowPassed, double kappa, const Progress& progress) {
-  const Geometry& geometry = lowPassed.geometry;
+void setDirections(const Volume<float>& lowPassed, double kappa, const Slab& slab, Directions& result,
+                   const Progress& progress) {
+  const Geometry geometry = slabGeometry(lowPassed.geometry, slab);
   const glm::ivec3 dims = geometry.dims;
-  Directions result{geometry, {}, {}, {}};
+  result.geometry = geometry;
   for (auto* component : {&result.x, &result.y, &result.z}) component->resize(geometry.voxels());
   parallelFor(
       dims.z,
@@ -50,11 +51,17 @@ Directions cellDirections(const Volume<float>& lowPassed, double kappa, const Pr
           if (j == dims.y - 1 || int(k) == dims.z - 1) {
             clearRow(start, std::size_t(dims.x), result);
           } else {
-            directionRow(lowPassed, geometry.axisScale(), float(kappa), start, result);
+            const float* row = &lowPassed.at(0, j, slab.first + int(k));
+            directionRow(row, geometry, float(kappa), start, result);
           }
         }
       },
       progress);
+}
+
+Directions cellDirections(const Volume<float>& lowPassed, double kappa, const Progress& progress) {
+  Directions result;
+  setDirections(lowPassed, kappa, {0, lowPassed.geometry.dims.z}, result, progress);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/base/progress.h"
+#include "core/classification/slab.h"
 #include "core/volume/volume.h"
 
 namespace sonoskin {
@@ -19,5 +20,10 @@ struct Directions {
 //   kappa    gradient per smallest spacing below which a direction fades
 //   errors   Cancelled
 Directions cellDirections(const Volume<float>& lowPassed, double kappa, const Progress& progress = {});
+
+// setDirections: the same of some slices alone, as if the volume ended with them.
+//   result   takes their geometry; its memory is used again
+void setDirections(const Volume<float>& lowPassed, double kappa, const Slab& slab, Directions& result,
+                   const Progress& progress = {});
 
 }  // namespace sonoskin

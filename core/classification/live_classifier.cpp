@@ -15,7 +15,10 @@ LiveClassifier::LiveClassifier(std::shared_ptr<const Volume<float>> volume,
 std::shared_ptr<const Volume<float>> LiveClassifier::classify(const ClassificationOptions& options,
                                                               const Progress& progress) {
   const auto before = std::exchange(last_, nullptr);  // of no use for a system that is half rebuilt
-  const NeighbourTerms k = neighbourTerms(*smoothed_, options);
+  if (!directions_)
+    directions_ = std::make_shared<const Directions>(
+        cellDirections(smoothed_->lowPassed, options.directionScale, progress.cancelOnly()));
+  const NeighbourTerms k = neighbourTerms(directions_, options);
   auto u = Volume<float>::unset(volume_->geometry);
   scaleSystem({*volume_, smoothed_->lowPassed, options, smoothed_->levels}, k,
               before ? before->data.data() : nullptr, system_, u.data.data(), progress.part(0, 0.2));

@@ -12,7 +12,7 @@ namespace sonoskin {
 
 // LiveClassifier: classifies one volume again and again while sliders move: keeps what depends on the volume
 // alone, starts from the last answer, and solves to kLiveTolerance by the fast solver.
-//   memory   10 bytes per voxel beside the volume, what smooth() made of it and the answer: 25 in all
+//   memory   13 bytes per voxel beside the volume, what smooth() made of it and the answer: 25 in all
 //   threads  one at a time
 class LiveClassifier {
  public:
@@ -22,7 +22,7 @@ class LiveClassifier {
   LiveClassifier(std::shared_ptr<const Volume<float>> volume, std::shared_ptr<const Smoothed> smoothed);
 
   // classify: as classify() in classify.h, but for the tolerance: kLiveTolerance, or options' if that is larger.
-  //   options  the variational formulation
+  //   options  the variational formulation; always the same directionScale
   //   errors   Cancelled; the next call then starts afresh
   std::shared_ptr<const Volume<float>> classify(const ClassificationOptions& options,
                                                 const Progress& progress = {});
@@ -32,6 +32,7 @@ class LiveClassifier {
  private:
   std::shared_ptr<const Volume<float>> volume_;
   std::shared_ptr<const Smoothed> smoothed_;
+  std::shared_ptr<const Directions> directions_{};  // made when they are first needed
   ScaledSystem system_;
   LargeArray<float> scratch_;
   std::shared_ptr<const Volume<float>> last_;  // the answer for system_, or empty

@@ -12,6 +12,9 @@ namespace sonoskin {
 using NeighbourTerms = OperatorSum<TangentialOperator>;
 
 // neighbourTerms: K of the variational formulation, as strong as the options say.
+NeighbourTerms neighbourTerms(std::shared_ptr<const Directions> directions,
+                              const ClassificationOptions& options);
+// The same, with the directions of the whole volume made first.
 NeighbourTerms neighbourTerms(const Smoothed& smoothed, const ClassificationOptions& options);
 
 }  // namespace sonoskin

@@ -10,9 +10,7 @@ Smoothed smooth(const Volume<float>& volume, const ClassificationOptions& option
   require(glm::min(dims.x, glm::min(dims.y, dims.z)) >= 3,
           "the volume has {}x{}x{} voxels: surfaces need at least 3 along each axis", dims.x, dims.y, dims.z);
   Smoothed smoothed;
-  smoothed.lowPassed = gaussianBlur(volume, options.lowPass, progress.part(0, 0.7));
-  smoothed.directions = std::make_shared<const Directions>(
-      cellDirections(smoothed.lowPassed, options.directionScale, progress.part(0.7, 1)));
+  smoothed.lowPassed = gaussianBlur(volume, options.lowPass, progress);
   return smoothed;
 }
 

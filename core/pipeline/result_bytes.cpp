@@ -5,7 +5,7 @@ namespace sonoskin {
 std::size_t bytesOf(const Volume<float>& volume) { return volume.data.size() * sizeof(float); }
 
 std::size_t bytesOf(const Prepared& prepared) {
-  return prepared.smoothed.lowPassed.data.size() * (sizeof(float) + 3);
+  return prepared.smoothed.lowPassed.data.size() * sizeof(float);
 }
 
 std::size_t bytesOf(const FoundPoints& found) {

@@ -211,7 +211,8 @@ void slabEigenAssembled(benchmark::State& state) {
   double solving = 0;
   for (auto _ : state) {
     const DataTerm term = dataTerm({*system.volume, system.smoothed->lowPassed, optionsForBenchmarks()});
-    const auto a = assemble(*system.smoothed->directions, term, float(absoluteBeta(optionsForBenchmarks())));
+    const auto a = assemble(cellDirections(system.smoothed->lowPassed, 0.02), term,
+                            float(absoluteBeta(optionsForBenchmarks())));
     const Timer timer;
     const Eigen::Map<const Eigen::VectorXf> b(term.right.data(), Eigen::Index(term.right.size()));
     const Eigen::Map<const Eigen::VectorXf> c(term.diagonal.data(), b.size());

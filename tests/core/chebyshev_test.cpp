@@ -18,7 +18,7 @@ namespace {
 struct System {
   Geometry geometry = test::grid({200, 40, 30}, {0.3, 0.3, 0.9});
   Volume<float> volume = test::speckledSphere(geometry, {20, 6, 13}, 4, 0.3);
-  Smoothed smoothed{volume, std::make_shared<const Directions>(cellDirections(volume, 0.02)), {}};
+  Smoothed smoothed{volume, {}};
   ClassificationOptions options;
   ScaledSystem scaled;
   LargeArray<float> start = LargeArray<float>(geometry.voxels());
@@ -88,7 +88,7 @@ TEST(Chebyshev, LeavesOutWhatDoesNotMove) {
   System s;
   for (int k = 0; k < s.geometry.dims.z; ++k)
     for (int j = 15; j < s.geometry.dims.y; ++j) std::fill_n(&s.volume.at(0, j, k), s.geometry.dims.x, 0.0f);
-  s.smoothed.directions = std::make_shared<const Directions>(cellDirections(s.volume, 0.02));
+  s.smoothed.lowPassed = s.volume;
   scaleSystem({s.volume, s.volume, s.options}, s.k(), nullptr, s.scaled, s.start.data());
   FastSolution solution;
   s.solve(1e-3, &solution);
