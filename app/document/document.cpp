@@ -62,12 +62,16 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   if (anew) history = History<Version>({parameters, erased.strokes()});
   name = opened.name;
   givesSpacing = opened.givesSpacing;
+  reading = opened.reading;
   phantom = opened.phantom;
 }
 
 Parameters recipeParameters(const Document& document) {
   Parameters parameters = document.parameters;
   if (document.phantom) parameters.phantom = *document.phantom;
+  parameters.scan.half = document.reading.half;
+  parameters.scan.cutLow = document.reading.cutLow;
+  parameters.scan.cutHigh = document.reading.cutHigh;
   return parameters;
 }
 

@@ -18,6 +18,7 @@ struct Opened {
   bool givesSpacing = true;                 // the scan's own file does; otherwise scan.spacing is its spacing
   bool isAnother = true;                    // not the one that is open, with another spacing
   std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
+  ScanOptions reading{};                    // half, cutLow and cutHigh: what was left out of it
 };
 
 // Version: what undo goes back to.
@@ -46,12 +47,13 @@ struct Document {
   std::string name;
   bool givesSpacing = true;
   std::optional<PhantomOptions> phantom;  // of the scan, where it is simulated
+  ScanOptions reading;                    // half, cutLow and cutHigh: what was left out of the scan
   Parameters parameters;
   ErasedParts erased;
   History<Version> history;
 };
 
-// recipeParameters: the parameters, with those of the simulation that the scan at hand was made with.
+// recipeParameters: the parameters, with those that the scan at hand was simulated and read with.
 Parameters recipeParameters(const Document& document);
 
 }  // namespace sonoskin

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/available_memory.h"
 #include "core/base/log.h"
 #include "core/io/file_formats.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
+#include "core/volume/scan_size.h"
 
 namespace sonoskin {
 
@@ -18,6 +20,7 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
                                             : readScan(files.volume, volume);
   if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
   warnOfSpacing(scan);
+  fitIntoMemory(scan, parameters.scan);
   if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
   if (!files.erased.empty())
     setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
@@ -32,6 +35,11 @@ std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Sc
     return fromRunLengths(recipe.erased, scan.volume->geometry);
   log(LogLevel::warning, "What the recipe erases is of another volume; nothing is erased of this one.");
   return {};
+}
+
+void fitIntoMemory(Scan& scan, const ScanOptions& options) {
+  reduceScan(scan, options);
+  requireMemory(scan.volume->geometry, kBytesPerVoxel - kBytesToRead, availableMemory());
 }
 
 void warnOfSpacing(const Scan& scan) {

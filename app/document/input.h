@@ -26,12 +26,16 @@ struct InputFiles {
 
 // loadInput: the scan that the files name, with the spacing of scan.spacing where its file gives none. What the recipe erases
 // is erased of its own scan alone, where no file says what is.
-//   errors  Error: see readScan, setMask, setErased and fromRunLengths; Cancelled
+//   errors  Error: see readScan, fitIntoMemory, setMask, setErased and fromRunLengths; Cancelled
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress = {});
 
 // erasedIn: what a recipe erases of a scan; nothing, and a warning, where it is of another one.
 //   errors  Error: see fromRunLengths
 std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Scan& scan);
+
+// fitIntoMemory: leaves of a scan what the options say.
+//   errors  Error: see reduceScan; there is not enough memory to make a mesh of it
+void fitIntoMemory(Scan& scan, const ScanOptions& options);
 
 // warnOfSpacing: logs that a scan's spacing is not known, where it is not.
 void warnOfSpacing(const Scan& scan);

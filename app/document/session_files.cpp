@@ -35,12 +35,15 @@ void Session::open(const std::string& label, Opened opened,
 // A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next.
 void Session::openFile(const fs::path& path) {
   const std::string name = path.filename().string();
-  const std::array<double, 3> spacing = hasScan() ? ScanOptions().spacing : document_.parameters.scan.spacing;
-  open("Opening " + name, {{}, name}, [path, spacing](Opened& opened, const Progress& progress) {
+  ScanOptions options = document_.parameters.scan;
+  if (hasScan()) options.spacing = ScanOptions().spacing;
+  open("Opening " + name, {{}, name}, [path, options](Opened& opened, const Progress& progress) {
     opened.scan = readScan(path, progress);
     opened.givesSpacing = opened.scan.spacingKnown;
-    if (!opened.givesSpacing) setSpacing(opened.scan, spacing);
+    if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
     warnOfSpacing(opened.scan);
+    fitIntoMemory(opened.scan, options);
+    opened.reading = options;
   });
 }
 
@@ -48,7 +51,11 @@ void Session::openPhantom() {
   Opened opened{{}, "Phantom", phantomLandmarks(document_.parameters.phantom)};
   opened.phantom = document_.parameters.phantom;
   open("Simulating the phantom", std::move(opened),
-       [](Opened& made, const Progress& progress) { made.scan = makePhantomScan(*made.phantom, progress); });
+       [options = document_.parameters.scan](Opened& made, const Progress& progress) {
+         made.scan = makePhantomScan(*made.phantom, progress);
+         fitIntoMemory(made.scan, options);
+         made.reading = options;
+       });
 }
 
 // The spacing of a scan whose file gives none is a parameter like others; another one makes it another scan.
@@ -57,6 +64,7 @@ void Session::respace() {
   if (!hasScan() || document_.givesSpacing || isSpaced(frame_.scan, spacing)) return;
   Opened opened{frame_.scan, document_.name};
   opened.givesSpacing = opened.isAnother = false;
+  opened.reading = document_.reading;
   open("Setting the spacing", std::move(opened),
        [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
 }

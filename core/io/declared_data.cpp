@@ -18,14 +18,16 @@ namespace {
 constexpr std::uintmax_t kDeflateRatio = 1032;  // the most that deflate can gain (zlib.net/zlib_tech.html)
 constexpr std::uintmax_t kMaxNumbers = std::uintmax_t(1) << 33;
 constexpr std::size_t kChunk = 1u << 18;
+constexpr std::uintmax_t kTrusted = 64u << 20;  // bytes for which memory is taken before they have come
 
 [[noreturn]] void failTruncated(const fs::path& path) {
   throw Error(fmt::format("{} ends before all of its voxels; the copy is incomplete, get a fresh one.",
                           path.string()));
 }
 
-// Unpacks a stream without keeping it: ITK reads MetaImages that end early as if they were whole.
-void checkStream(const DeclaredData& data, std::uintmax_t bytes) {
+// Unpacks a stream: ITK reads MetaImages that end early as if they were whole.
+//   kept  gets what is unpacked; null: it is not kept
+void checkStream(const DeclaredData& data, std::uintmax_t bytes, std::vector<std::uint8_t>* kept) {
   z_stream stream{};
   // 15 bits of window, and 32: find out whether the stream is of zlib or of gzip.
   if (inflateInit2(&stream, 15 + 32) != Z_OK) throw std::bad_alloc();
@@ -49,7 +51,9 @@ void checkStream(const DeclaredData& data, std::uintmax_t bytes) {
     const int code = inflate(&stream, Z_NO_FLUSH);
     require(code == Z_OK || code == Z_BUF_ERROR || code == Z_STREAM_END,
             "The packed data in {} are damaged; get a fresh copy.", data.file.string());
-    unpacked += out.size() - stream.avail_out;
+    const std::size_t came = out.size() - stream.avail_out;
+    if (kept) kept->insert(kept->end(), out.begin(), out.begin() + std::ptrdiff_t(came));
+    unpacked += came;
     require(unpacked <= bytes + kChunk, "{} holds more than its header declares; get a fresh copy.",
             data.file.string());
     ended = code == Z_STREAM_END;
@@ -70,7 +74,8 @@ void checkText(const DeclaredData& data, std::uintmax_t numbers) {
 
 }  // namespace
 
-void checkData(const DeclaredData& data, const fs::path& path) {
+std::vector<std::uint8_t> checkData(const DeclaredData& data, const fs::path& path) {
+  std::vector<std::uint8_t> kept;
   std::uintmax_t numbers = std::uintmax_t(data.components);
   for (const std::int64_t size : data.sizes) {
     require(size >= 1 && size <= 65535,
@@ -93,7 +98,10 @@ void checkData(const DeclaredData& data, const fs::path& path) {
       DeclaredData stream = data;
       if (stream.packedBytes == 0) stream.packedBytes = left;
       if ((bytes + data.skipped) / kDeflateRatio > stream.packedBytes) failTruncated(data.file);
-      checkStream(stream, bytes + data.skipped);
+      const bool keeps = data.bytesPerNumber == 1 && data.skipped == 0;
+      if (keeps) kept.reserve(std::size_t(std::min(bytes, kTrusted)) + kChunk);
+      checkStream(stream, bytes + data.skipped, keeps ? &kept : nullptr);
+      kept.resize(keeps ? std::size_t(bytes) : 0);
       break;
     }
     case Encoding::text:
@@ -101,6 +109,7 @@ void checkData(const DeclaredData& data, const fs::path& path) {
       checkText(data, numbers);
       break;
   }
+  return kept;
 }
 
 std::uint64_t numbersIn(const DeclaredData& data) {

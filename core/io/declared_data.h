@@ -34,11 +34,13 @@ DeclaredData metaData(const std::filesystem::path& path);
 DeclaredData niftiData(const std::filesystem::path& path);
 DeclaredData vtkData(const std::filesystem::path& path);
 
-// checkData: refuses a file that does not hold what its header declares. Takes no memory to speak of.
+// checkData: refuses a file that does not hold what its header declares. Takes no memory but for its output.
+//   output  the numbers of a packed file of single bytes, which are as they are; nothing for others, which must be put in
+//           order by who knows the format
 //   errors   Error: sizes out of range, fewer bytes or numbers than declared, a packed stream that is damaged or does
 //            not come to its end
 //   cost     reads packed and text data once: 300 MB of voxels a second
-void checkData(const DeclaredData& data, const std::filesystem::path& path);
+std::vector<std::uint8_t> checkData(const DeclaredData& data, const std::filesystem::path& path);
 
 // numbersIn: of all voxels, time steps and components. The data must have been checked.
 std::uint64_t numbersIn(const DeclaredData& data);

@@ -149,7 +149,7 @@ StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
 }
 
 LoadedVolume readWithItk(FileFormat format, const fs::path& path, const DeclaredData& data,
-                         const Progress& progress) {
+                         std::vector<std::uint8_t> unpacked, const Progress& progress) {
   progress.update(0);
   const itk::ImageIOBase::Pointer io = makeIo(format);
   LoadedVolume loaded;
@@ -159,10 +159,16 @@ LoadedVolume readWithItk(FileFormat format, const fs::path& path, const Declared
   checkGeometry(loaded.stored, path);
   io->SetIORegion(wholeRegion(*io));
   progress.update(0.1);
-  guarded(path, [&] {
-    loaded.numbers.resize(std::size_t(io->GetImageSizeInBytes()));
-    io->Read(loaded.numbers.data());
-  });
+  const std::size_t bytes = std::size_t(io->GetImageSizeInBytes());
+  // ITK would unpack them again; what it turns over, colours and lists, is left to it.
+  const bool isPlain = io->GetNumberOfComponents() == 1 && !loaded.stored.timeIsFastest;
+  if (isPlain && unpacked.size() == bytes)
+    loaded.numbers = std::move(unpacked);
+  else
+    guarded(path, [&] {
+      loaded.numbers.resize(bytes);
+      io->Read(loaded.numbers.data());
+    });
   loaded.numbers.resize(loaded.numbers.size() / std::size_t(loaded.stored.timeSteps));
   loaded.bytes = fileSize(path) + (data.file == path ? 0 : fileSize(data.file));
   progress.update(1);

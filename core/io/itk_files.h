@@ -18,11 +18,12 @@ class ImageIOBase;
 namespace sonoskin {
 
 // readWithItk: reads a file that checkData has let through.
+//   unpacked what checkData gave: its numbers, or nothing
 //   output   numbers of the first time step after the file's slope and intercept; the geometry in mm and LPS
 //   errors   Error: ITK cannot read it, or takes it for something else than its header declares; Cancelled
 //   cost     the memory of all time steps
 LoadedVolume readWithItk(FileFormat format, const std::filesystem::path& path, const DeclaredData& data,
-                         const Progress& progress = {});
+                         std::vector<std::uint8_t> unpacked, const Progress& progress = {});
 
 // writeWithItk: writes one number per voxel, atomically; packed, where the format can.
 //   input    stored   of the type uint8 or float32; NRRD and MetaImage keep its beam and its range

@@ -20,7 +20,7 @@ constexpr float kLuminance[3] = {0.2126f, 0.7152f, 0.0722f};
 // The values of the first time step as doubles' nearest floats; not finite ones stay so.
 template <class T>
 Volume<float> values(const StoredVolume& stored, const std::uint8_t* numbers, const Progress& progress) {
-  Volume<float> volume(stored.geometry);
+  auto volume = Volume<float>::unset(stored.geometry);
   const std::size_t slice = std::size_t(stored.geometry.dims.x) * std::size_t(stored.geometry.dims.y);
   const std::size_t stride = std::size_t(stored.components);
   const bool colour = stride >= 3 && !stored.timeIsFastest;
@@ -84,14 +84,39 @@ void takeOut(const std::vector<Padding>& padding, Volume<float>& volume) {
   });
 }
 
-std::pair<double, double> extremes(std::span<const float> data) {
-  float low = std::numeric_limits<float>::infinity(), high = -low;
-  for (const float v : data) {
-    if (!std::isfinite(v)) continue;
-    low = std::min(low, v);
-    high = std::max(high, v);
-  }
+std::pair<double, double> extremes(const Volume<float>& volume) {
+  constexpr float kNone = std::numeric_limits<float>::infinity(), kMost = std::numeric_limits<float>::max();
+  const std::size_t slices = std::size_t(volume.geometry.dims.z), slice = volume.data.size() / slices;
+  std::vector<std::pair<float, float>> perSlice(slices);
+  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
+    const float* v = volume.data.data() + std::size_t(k) * slice;
+    float low = kNone, high = -kNone;
+#pragma omp simd reduction(min : low) reduction(max : high)
+    for (std::size_t i = 0; i < slice; ++i) {
+      const bool finite = std::abs(v[i]) <= kMost;
+      low = std::min(low, finite ? v[i] : kNone);
+      high = std::max(high, finite ? v[i] : -kNone);
+    }
+    perSlice[std::size_t(k)] = {low, high};
+  });
+  float low = kNone, high = -kNone;
+  for (const auto& [least, most] : perSlice) low = std::min(low, least), high = std::max(high, most);
   return low <= high ? std::pair<double, double>(low, high) : std::pair<double, double>(0, 0);
+}
+
+// Values within the range become 0 to 1; padding and what is not finite becomes 0.
+void scale(float* values, std::size_t count, const NormalisedVolume& n,
+           const std::optional<Padding>& padding) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  const Padding outside = padding.value_or(Padding{1, 0});  // holds nothing
+  const double from = n.originalMin, width = n.originalMax - n.originalMin;
+#pragma omp simd
+  for (std::size_t v = 0; v < count; ++v) {
+    const float value = values[v];
+    const bool recorded = (std::abs(value) <= kMost) & !((value >= outside.least) & (value <= outside.most));
+    const auto part = float(std::min(std::max((double(value) - from) / width, 0.0), 1.0));
+    values[v] = recorded ? part : 0;
+  }
 }
 
 // Of what was recorded.
@@ -159,20 +184,13 @@ NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::ui
   NormalisedVolume n;
   n.volume = valuesOf(stored, numbers.data(), progress.part(0, 0.5));
   takeOut(stored.padding, n.volume);
-  std::tie(n.valueMin, n.valueMax) = extremes(n.volume.data);
+  std::tie(n.valueMin, n.valueMax) = extremes(n.volume);
   const std::optional<Padding> padding = outside ? findPadding(n.volume) : std::nullopt;
   std::tie(n.originalMin, n.originalMax) = withWidth(unitRange(stored, n, padding));
   const std::size_t slice = n.volume.data.size() / std::size_t(stored.geometry.dims.z);
-  const double width = n.originalMax - n.originalMin;
   parallelFor(
       stored.geometry.dims.z,
-      [&](std::ptrdiff_t k) {
-        for (std::size_t v = std::size_t(k) * slice; v < (std::size_t(k) + 1) * slice; ++v) {
-          float& value = n.volume.data[v];
-          const bool recorded = std::isfinite(value) && !(padding && padding->holds(value));
-          value = recorded ? float(std::clamp((double(value) - n.originalMin) / width, 0.0, 1.0)) : 0;
-        }
-      },
+      [&](std::ptrdiff_t k) { scale(n.volume.data.data() + std::size_t(k) * slice, slice, n, padding); },
       progress.part(0.5, 1));
   return n;
 }

@@ -14,11 +14,27 @@ constexpr std::size_t kSamples = 400'000;
 
 std::vector<float> finiteOnes(std::vector<float> values) {
   std::erase_if(values, [](float v) { return !std::isfinite(v); });
-  std::ranges::sort(values);
   return values;
 }
 
-// The finite ones; `count` is that of all.
+// Whole numbers of a narrow range, which files of 8 and 16 bits have, are counted instead of compared.
+void sortValues(std::vector<float>& values) {
+  constexpr float kWidest = 1 << 16;
+  if (values.empty()) return;
+  const auto [least, most] = std::ranges::minmax(values);
+  const bool whole = most - least < kWidest && std::abs(least) < kWidest &&
+                     std::ranges::all_of(values, [](float v) { return v == std::floor(v); });
+  if (!whole) {
+    std::ranges::sort(values);
+    return;
+  }
+  std::vector<std::size_t> counts(std::size_t(most - least) + 1);
+  for (const float v : values) ++counts[std::size_t(v - least)];
+  auto at = values.begin();
+  for (std::size_t c = 0; c < counts.size(); ++c) at = std::fill_n(at, counts[c], least + float(c));
+}
+
+// The finite ones, sorted; `count` is that of all.
 std::vector<float> valuesOnSides(const Volume<float>& volume, std::size_t& count) {
   const glm::ivec3 d = volume.geometry.dims;
   std::vector<float> values;
@@ -28,7 +44,9 @@ std::vector<float> valuesOnSides(const Volume<float>& volume, std::size_t& count
            i += j == 0 || k == 0 || j == d.y - 1 || k == d.z - 1 ? 1 : std::max(1, d.x - 1))
         values.push_back(volume.at(i, j, k));
   count = values.size();
-  return finiteOnes(std::move(values));
+  values = finiteOnes(std::move(values));
+  sortValues(values);
+  return values;
 }
 
 std::vector<float> sampleOf(const Volume<float>& volume) {
@@ -36,6 +54,15 @@ std::vector<float> sampleOf(const Volume<float>& volume) {
   std::vector<float> values;
   for (std::size_t v = 0; v < volume.data.size(); v += stride) values.push_back(volume.data[v]);
   return finiteOnes(std::move(values));
+}
+
+// The range of all but a thousandth at each end.
+float rangeOf(std::vector<float>& values) {
+  const auto nth = [&](std::size_t n) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(n), values.end());
+    return values[n];
+  };
+  return nth(values.size() * 999 / 1000) - nth(values.size() / 1000);
 }
 
 // The window of a width that holds most of sorted values, as the padding that it would be, and how many it holds.
@@ -52,14 +79,15 @@ std::pair<Padding, std::size_t> fullestWindow(const std::vector<float>& sorted, 
 
 std::optional<Padding> findPadding(const Volume<float>& volume) {
   std::size_t onSides = 0;
-  const std::vector<float> sides = valuesOnSides(volume, onSides), all = sampleOf(volume);
-  if (all.empty() || all.front() == all.back() || double(sides.size()) <= kLeastSides * double(onSides))
+  const std::vector<float> sides = valuesOnSides(volume, onSides);
+  std::vector<float> all = sampleOf(volume);
+  if (all.empty() || std::ranges::min(all) == std::ranges::max(all) ||
+      double(sides.size()) <= kLeastSides * double(onSides))
     return {};
   const auto isMost = [&](std::size_t count) { return double(count) > kMostSides * double(sides.size()); };
   const auto [exact, alike] = fullestWindow(sides, 0);
   if (isMost(alike)) return exact;
-  const float range = all[all.size() * 999 / 1000] - all[all.size() / 1000];
-  const auto [near, count] = fullestWindow(sides, kNearlyAlike * range);
+  const auto [near, count] = fullestWindow(sides, kNearlyAlike * rangeOf(all));
   return isMost(count) ? std::optional(near) : std::nullopt;
 }
 

@@ -43,8 +43,8 @@ LoadedVolume loadVolume(const fs::path& path, const Progress& progress) {
     return series;
   }
   const DeclaredData data = declaredData(format, path);
-  checkData(data, path);
-  return readWithItk(format, path, data, progress);
+  std::vector<std::uint8_t> unpacked = checkData(data, path);
+  return readWithItk(format, path, data, std::move(unpacked), progress);
 }
 
 }  // namespace sonoskin

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "core/base/available_memory.h"
 #include "core/base/log.h"
 #include "core/io/normalise.h"
 #include "core/io/reader_process.h"
 #include "core/io/reader_wire.h"
 #include "core/io/volume_loader.h"
+#include "core/volume/scan_size.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -32,6 +34,7 @@ void noteChoices(const StoredVolume& stored, const char* what) {
 
 Scan read(const fs::path& path, const Progress& progress, bool isScan) {
   const LoadedVolume loaded = load(path, progress.part(0, 0.6));
+  requireMemory(loaded.stored.geometry, kBytesToRead, availableMemory());
   NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1), isScan);
   Scan scan;
   scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));

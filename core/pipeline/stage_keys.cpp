@@ -25,7 +25,10 @@ Key coarserKey(const Key& volume) { return Hasher("coarser").add(volume).key(); 
 Key preparedKey(const Key& volume, const Parameters& p) {
   Hasher hasher("prepared");
   hasher.add(volume).add(p.classification.lowPass).add(p.classification.directionScale);
-  addOptions(hasher, p.scan);
+  ScanOptions scan = p.scan;  // what is left out of the volume its own key tells
+  scan.half = false;
+  scan.cutLow = scan.cutHigh = {};
+  addOptions(hasher, scan);
   return hasher.key();
 }
 

@@ -23,6 +23,8 @@ struct ScanOptions {
   BeamOrigin beamOrigin = BeamOrigin::automatic;
   std::array<double, 3> apex{0, 0, 0};
   std::array<double, 3> spacing{0, 0, 0};
+  bool half = false;
+  std::array<double, 3> cutLow{0, 0, 0}, cutHigh{0, 0, 0};
 };
 
 template <class F, class O>
@@ -40,6 +42,13 @@ void fields(F&& f, O& o) {
     o.apex, Range{-10000.0, 10000.0});
   f(Field{"spacing", "from voxel to voxel, for files that give no spacing; 0: unknown", "mm"}, o.spacing,
     Range{0.0, 100.0});
+  f(Field{"half",
+          "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},
+    o.half);
+  f(Field{"cutLow", "left out at the sides i-low, j-low, k-low of a volume when it is opened next", "mm"},
+    o.cutLow, Range{0.0, 1000.0});
+  f(Field{"cutHigh", "left out at the sides i-high, j-high, k-high of a volume when it is opened next", "mm"},
+    o.cutHigh, Range{0.0, 1000.0});
 }
 
 }  // namespace sonoskin

@@ -88,6 +88,25 @@ TEST_F(Streams, ShortMemoryCostsThePicturesAlone) {
   }
 }
 
+// A volume that does not fit is refused before its memory is taken, with what would make it fit, and then does.
+TEST_F(Streams, AVolumeThatDoesNotFitIsOfferedAtHalfItsResolution) {
+  if (test::kSanitized) GTEST_SKIP() << "sanitizers do not run with few addresses";
+  std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 400 400 400\nspacings: 0.3 0.3 0.3\n";
+  bytes += "encoding: raw\n\n";
+  const std::size_t header = bytes.size();
+  for (int v = 0; v < 1000; ++v) bytes += char(v % 200);
+  const std::filesystem::path file = folder.write("large.nrrd", bytes);
+  std::filesystem::resize_file(file, header + 400u * 400u * 400u);  // the rest are zeros that take no room
+  const std::string words =
+      "run " + file.string() + " --out " + (folder / "out").string() + " >/dev/null 2>" + err;
+  EXPECT_EQ(shell("ulimit -v 1200000;", words), 1);
+  for (const char* word : {"400 x 400 x 400", "scan.half", "scan.cutLow"})
+    EXPECT_NE(said().find(word), std::string::npos) << said();
+  EXPECT_EQ(shell("ulimit -v 1200000;", words + " --scan.half on"), 3) << said();
+  EXPECT_EQ(said().find("of memory"), std::string::npos)
+      << said();  // nothing is found in zeros, for which there is room
+}
+
 // Nothing of an earlier run stays beside a recipe that does not make it; what is not ours does.
 TEST(RunFiles, OfAnEarlierRunGoWithTheNewOne) {
   const TempFolder folder;

@@ -51,6 +51,20 @@ TEST(Document, IsWithinItsRangesWhoeverChangesIt) {
   EXPECT_LT(document.parameters.classification.gamma, 1e9);
 }
 
+// What was left out when a volume was read is told by its recipe, whatever is asked for the next one.
+TEST(Document, ItsRecipeSaysHowItWasRead) {
+  Document document{Parameters{}};
+  Opened opened = volumeOf({20, 20, 20}, "a");
+  opened.reading.half = true;
+  document.adopt(opened, {});
+  EXPECT_FALSE(document.parameters.scan.half);
+  EXPECT_TRUE(recipeParameters(document).scan.half);
+  Parameters changed = document.parameters;
+  changed.scan.cutLow = {1, 2, 3};
+  document.change(changed);
+  EXPECT_EQ(recipeParameters(document).scan.cutLow, (std::array<double, 3>{0, 0, 0}));
+}
+
 // A crop box is kept for a volume of the same dimensions, landmarks for the same scan alone.
 TEST(Document, WhatBelongsToAVolumeGoesWithIt) {
   const Opened first = volumeOf({20, 20, 20}, "a"), same = volumeOf({20, 20, 20}, "b"),
