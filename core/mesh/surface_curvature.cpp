@@ -43,9 +43,14 @@ std::vector<glm::vec4> sumOverPatches(const Facets& facets, const SurfacePatches
 
 std::vector<float> meanCurvature(const Mesh& mesh, double radius, const Progress& progress) {
   const Facets facets(mesh, progress.part(0, 0.2));
-  const SurfacePatches patches = growPatches(facets, float(0.3 * radius), progress.part(0.2, 0.5));
-  const std::vector<glm::vec4> sums = sumOverPatches(facets, patches, progress.part(0.5, 0.7));
-  std::vector<glm::vec4> values = smoothOverPatches(patches, sums, float(radius), progress.part(0.7, 0.9));
+  return meanCurvature(facets, radius, progress.part(0.2, 1));
+}
+
+std::vector<float> meanCurvature(const Facets& facets, double radius, const Progress& progress) {
+  const Mesh& mesh = facets.mesh;
+  const SurfacePatches patches = growPatches(facets, float(0.3 * radius), progress.part(0, 0.4));
+  const std::vector<glm::vec4> sums = sumOverPatches(facets, patches, progress.part(0.4, 0.6));
+  std::vector<glm::vec4> values = smoothOverPatches(patches, sums, float(radius), progress.part(0.6, 0.9));
   for (glm::vec4& v : values) v.x = v.y > 0 ? v.x / v.y : 0;
   std::vector<std::uint32_t> home(mesh.positions.size(), kNoHalfEdge);
   for (std::size_t t = mesh.triangles.size(); t-- > 0;)

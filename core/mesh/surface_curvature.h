@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/facets.h"
 
 namespace sonoskin {
 
@@ -10,5 +10,6 @@ namespace sonoskin {
 //   cost     O(n); 1 million triangles in 0.7 s on two cores
 //   errors   Cancelled
 std::vector<float> meanCurvature(const Mesh& mesh, double radius, const Progress& progress = {});
+std::vector<float> meanCurvature(const Facets& facets, double radius, const Progress& progress = {});
 
 }  // namespace sonoskin

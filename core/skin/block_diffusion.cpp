@@ -35,8 +35,9 @@ struct Lattice {
   TriangleLattice between;
   DiffusionPlaces places;
 
-  Lattice(const Mesh& mesh, double side, std::size_t most)
-      : between(mesh, side, most), places(inLocalOrder(between.positions(), between.normals())) {}
+  Lattice(const SkinSurface& surface, double side, std::size_t most)
+      : between(*surface.mesh, side, most, surface.shown),
+        places(inLocalOrder(between.positions(), between.normals())) {}
 };
 
 }  // namespace
@@ -96,6 +97,7 @@ BlockDiffusion::State::State(std::shared_ptr<const SkinSurface> s, const Gaussia
 void BlockDiffusion::State::findShown() {
   texels = surface->pointBased ? coveredTexels(surface->maps) : shownTexels(surface->maps);
   addTexelsOfSides();
+  std::erase_if(texels, [&](std::uint32_t texel) { return surface->maps.triangle[texel] >= surface->shown; });
   shown.resize(texels.size());
   parallelItems(texels.size(), kPerTask,
                 [&](std::size_t i) { shown[i] = placeOfTexel(*surface, texels[i]); });
@@ -127,11 +129,11 @@ void BlockDiffusion::State::choosePlaces() {
     const std::size_t most = affordablePlaces(level);
     if (!spreads(level, most)) continue;
     Asked& at = asked[std::size_t(level - 1)];
-    const std::uint64_t places = TriangleLattice::placesOf(mesh, side);
+    const std::uint64_t places = TriangleLattice::placesOf(mesh, side, surface->shown);
     at.directly = places > shown.size() && shown.size() <= most;
     if (at.directly) continue;
     const bool same = before && before->places.size() == places;
-    at.lattice = same ? before : std::make_shared<const Lattice>(mesh, side, most);
+    at.lattice = same ? before : std::make_shared<const Lattice>(*surface, side, most);
     before = at.lattice;
   }
   const bool anyDirectly = std::ranges::any_of(asked, [](const Asked& at) { return at.directly; });

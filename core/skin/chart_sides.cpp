@@ -37,6 +37,7 @@ bool showsAnotherSheet(const SkinSurface& surface, const ChartSides::Place& plac
 ChartSides::ChartSides(const SkinSurface& surface) {
   if (surface.pointBased) return;
   for (const RimSide& side : rimSides(Facets(*surface.mesh), surface.atlas)) {
+    if (side.triangle >= surface.shown) continue;
     const Corners& corners = surface.atlas.corners[side.triangle];
     const std::size_t from = side.corner, to = (from + 1) % 3;
     const int steps = std::max(1, int(std::ceil(glm::distance(corners[from], corners[to]) / kStep)));

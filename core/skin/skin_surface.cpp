@@ -6,11 +6,13 @@
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/mesh/repair/decimate.h"
+#include "core/mesh/search/seen_triangles.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr int kMaxSize = 8192;  // texels a side
+constexpr int kMaxSize = 8192;                  // texels a side
+constexpr std::size_t kTrianglesPerChart = 20;  // at least, of an atlas that light is not blurred in
 
 std::shared_ptr<const Mesh> reduced(std::shared_ptr<const Mesh> mesh, int triangles,
                                     const Progress& progress) {
@@ -23,22 +25,28 @@ std::shared_ptr<const Mesh> reduced(std::shared_ptr<const Mesh> mesh, int triang
 }
 
 // The atlas of the mesh's own coordinates if that is asked for and good, else one made for it.
-void findAtlas(const AtlasOptions& options, bool ownCoordinates, SkinSurface& surface,
-               const Progress& progress) {
-  const Mesh& mesh = *surface.mesh;
-  if (std::optional<Atlas> own = ownCoordinates ? atlasFromCoordinates(mesh, options) : std::nullopt) {
-    surface.check = checkAtlas(mesh, *own);
+void findAtlas(const Facets& facets, const AtlasOptions& options, const SkinQuality& quality,
+               SkinSurface& surface, const Progress& progress) {
+  const Mesh& mesh = facets.mesh;
+  if (std::optional<Atlas> own =
+          quality.ownCoordinates ? atlasFromCoordinates(mesh, options) : std::nullopt) {
+    surface.check = checkOverlap(facets, *own);
     surface.atlas = std::move(*own);
     if (surface.check.good()) return;
   }
-  if (ownCoordinates)
+  if (quality.ownCoordinates)
     log(LogLevel::warning,
         "The surface brings no texture coordinates, or they show parts of it on top of each other; "
         "a map is made for it instead.");
-  surface.atlas = buildAtlas(mesh, options, progress.part(0, 0.8));
-  surface.check = checkAtlas(mesh, surface.atlas);
-  surface.pointBased =
-      !surface.check.good() || std::max(surface.atlas.size.x, surface.atlas.size.y) > options.maxSize;
+  surface.atlas = buildAtlas(facets, options, progress.part(0, 0.8));
+  surface.check = checkOverlap(facets, surface.atlas);
+  // Points ask for no more of charts than that texels go further than they do in blocks.
+  const bool fits = std::max(surface.atlas.size.x, surface.atlas.size.y) <= options.maxSize,
+             isGood = quality.diffusion > DiffusionMethod::blurs
+                          ? surface.check.flat() &&
+                                std::size_t(surface.check.charts) * kTrianglesPerChart <= facets.size()
+                          : surface.check.good();
+  surface.pointBased = !isGood || !fits;
   if (!surface.pointBased) return;
   surface.atlas = blockAtlas(mesh, options.texel, options.maxSize, options.maxTexels);
   surface.atlas.unit = float(options.unit);
@@ -51,6 +59,48 @@ double texelFor(double area, const SkinQuality& quality) {
   constexpr double kLeast = 4096;   // on a thing that is smaller than a nose
   return std::clamp(quality.texel, std::sqrt(area / (kCovered * quality.texels)),
                     std::max(std::sqrt(area / kLeast), 1e-9));
+}
+
+// Parts the mesh into what a picture shows, what light spreads to it from, and the rest.
+// Blurs find light on charts that are whole; points need samples of it alone.
+void takeShown(std::shared_ptr<const Mesh> mesh, const SkinSight& sight, bool byPoints,
+               SkinSurface& surface) {
+  constexpr int kMargin = 1;  // rings of triangles: rounding may show another one than the nearest
+  const Mesh& whole = *mesh;
+  const std::vector<std::uint8_t> isShown =
+      trianglesBeside(whole, seenTriangles(whole, sight.viewProjection, sight.size), kMargin);
+  const std::vector<std::uint8_t> isLit = trianglesWithin(whole, isShown, sight.reach);
+  std::vector<std::uint32_t> shown, lit, hidden;
+  for (std::uint32_t t = 0; t < isLit.size(); ++t)
+    (isShown[t] || (isLit[t] && !byPoints) ? shown : isLit[t] ? lit : hidden).push_back(t);
+  surface.mesh = std::move(mesh);
+  // What shows nothing is lit as a whole: a surface cannot be without triangles.
+  if (shown.empty() || shown.size() == whole.triangles.size()) return;
+  surface.hidden = selectTriangles(whole, hidden);
+  surface.shown = shown.size();
+  shown.insert(shown.end(), lit.begin(), lit.end());
+  surface.mesh = std::make_shared<const Mesh>(selectTriangles(whole, shown));
+}
+
+// Charts end between what is shown and what only gives light.
+void cutAtShown(std::size_t shown, Facets& facets) {
+  for (std::uint32_t h = 0; h < facets.opposite.size(); ++h) {
+    std::uint32_t& opposite = facets.opposite[h];
+    if (opposite != kNoHalfEdge && (h / 3 < shown) != (opposite / 3 < shown)) opposite = kNoHalfEdge;
+  }
+}
+
+AtlasOptions atlasOptions(double area, const glm::vec3& front, const SkinQuality& quality,
+                          const SkinSight& sight) {
+  AtlasOptions options;
+  const double texel = texelFor(area, quality);
+  options.unit = texel / quality.texel;
+  options.texel = std::max(texel, double(sight.sample));
+  options.maxTexels = quality.texels;
+  options.skirt = quality.skirt;
+  options.front = front;
+  options.maxSize = kMaxSize;
+  return options;
 }
 
 }  // namespace
@@ -84,21 +134,22 @@ SkinQuality lightQuality() {
 }
 
 std::shared_ptr<SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
-                                         const SkinQuality& quality, const Progress& progress) {
+                                         const SkinQuality& quality, const SkinSight& sight,
+                                         const Progress& progress) {
   require(mesh && !mesh->empty(), "There is no surface to show as skin.");
   auto surface = std::make_shared<SkinSurface>();
-  surface->mesh = reduced(std::move(mesh), quality.triangles, progress.part(0, 0.2));
-  const SurfaceTraits traits = measureTraits(*surface->mesh, 128, 2, progress.part(0.2, 0.5));
-  AtlasOptions options;
-  options.texel = texelFor(surfaceArea(*surface->mesh), quality);
-  options.unit = options.texel / quality.texel;
-  options.maxTexels = quality.texels;
-  options.skirt = quality.skirt;
-  options.front = front;
-  options.maxSize = kMaxSize;
-  findAtlas(options, quality.ownCoordinates, *surface, progress.part(0.5, 0.8));
+  const std::shared_ptr<const Mesh> whole =
+      reduced(std::move(mesh), quality.triangles, progress.part(0, 0.2));
+  surface->mesh = whole;
+  if (!sight.isAll()) takeShown(whole, sight, quality.diffusion > DiffusionMethod::blurs, *surface);
+  Facets facets(*surface->mesh, progress.part(0.2, 0.25));
+  const SurfaceTraits traits = measureTraits(facets, *whole, 128, 2, progress.part(0.25, 0.5));
+  cutAtShown(surface->shown, facets);
+  AtlasOptions options = atlasOptions(surfaceArea(*whole), front, quality, sight);
+  options.fine = surface->shown;
+  findAtlas(facets, options, quality, *surface, progress.part(0.5, 0.8));
   surface->vertices = splitAtSeams(*surface->mesh, surface->atlas);
-  surface->maps = bakeAtlas(*surface->mesh, traits, surface->atlas, progress.part(0.8, 1));
+  surface->maps = bakeAtlas(facets, traits, surface->atlas, progress.part(0.8, 1));
   return surface;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/mesh/atlas/atlas.h"
@@ -39,11 +40,31 @@ SkinQuality fullQuality();
 SkinQuality pictureQuality();
 SkinQuality lightQuality();
 
+// SkinSight: what a picture shows of a surface.
+//   viewProjection  world mm -> clip space
+//   size            of the picture in samples; {0, 0}: everything is shown, from all around
+//   reach           mm: how far light spreads
+//   sample          mm from one sample to the next where the surface is nearest; 0: unknown
+struct SkinSight {
+  glm::mat4 viewProjection{1};
+  glm::ivec2 size{0};
+  float reach = 0;
+  float sample = 0;
+
+  bool isAll() const { return size.x == 0; }
+};
+
 // SkinSurface: a mesh made ready to be shown as skin.
+//   mesh         what is drawn: reduced if the quality asks for it
+//   shown        of a picture, how many of its triangles it shows: the first ones; light spreads from the others to them
+//   hidden       the rest, without triangles where there is none: it casts shadows and hides the sky
+//   check        as checkOverlap
 //   atlas        charts; blocks where the check fails (pointBased is true then)
 //   maps         without what only the GPU reads once keepForLight() was asked for
 struct SkinSurface {
-  std::shared_ptr<const Mesh> mesh;  // what is drawn: reduced if the quality asks for it
+  std::shared_ptr<const Mesh> mesh;
+  std::size_t shown = std::numeric_limits<std::size_t>::max();
+  Mesh hidden;
   Atlas atlas;
   AtlasCheck check;
   AtlasVertices vertices;
@@ -55,12 +76,19 @@ struct SkinSurface {
   void keepForLight();
 };
 
-// prepareSkin: everything about a surface that light and camera do not change.
+// prepareSkin: everything about a surface that light and, unless there is a sight, the camera do not change.
 //   input   mesh   world mm, with normals
 //           front  unit, toward the home view's eye
+//           sight  of a finished picture: what it does not show is neither charted nor baked, and texels are no smaller than
+//                  its samples
 //   cost    0.5 M triangles in full quality: about 2 s on two cores
 //   errors  Error: no triangles; Cancelled
 std::shared_ptr<SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
-                                         const SkinQuality& quality, const Progress& progress = {});
+                                         const SkinQuality& quality, const SkinSight& sight,
+                                         const Progress& progress = {});
+inline std::shared_ptr<SkinSurface> prepareSkin(std::shared_ptr<const Mesh> mesh, const glm::vec3& front,
+                                                const SkinQuality& quality, const Progress& progress = {}) {
+  return prepareSkin(std::move(mesh), front, quality, SkinSight{}, progress);
+}
 
 }  // namespace sonoskin

@@ -3,8 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace sonoskin {
+namespace {
+
+std::span<const Triangle> shownOf(const Mesh& mesh, std::size_t shown) {
+  return std::span(mesh.triangles).first(std::min(shown, mesh.triangles.size()));
+}
+
+// They use the first vertices.
+std::size_t verticesOf(std::span<const Triangle> triangles) {
+  std::size_t count = 0;
+  for (const Triangle& t : triangles) count = std::max<std::size_t>(count, std::ranges::max(t) + 1u);
+  return count;
+}
+
+}  // namespace
 
 TriangleLattice::Net TriangleLattice::netOf(const Mesh& mesh, const Triangle& t, double longest) {
   constexpr double kMostParts = 128, kMostRows = 65536;
@@ -48,20 +63,24 @@ void TriangleLattice::addPlaces(const Mesh& mesh, const Triangle& t, const Net& 
       add(mesh, t, {float(n - u - v) / float(n), float(u) / float(n), float(v) / float(n)});
 }
 
-std::uint64_t TriangleLattice::placesOf(const Mesh& mesh, double longest) {
-  std::uint64_t places = mesh.positions.size();
-  for (const Triangle& t : mesh.triangles) places += netOf(mesh, t, longest).places();
+std::uint64_t TriangleLattice::placesOf(const Mesh& mesh, double longest, std::size_t shown) {
+  const std::span triangles = shownOf(mesh, shown);
+  std::uint64_t places = verticesOf(triangles);
+  for (const Triangle& t : triangles) places += netOf(mesh, t, longest).places();
   return places;
 }
 
-TriangleLattice::TriangleLattice(const Mesh& mesh, double longest, std::size_t most)
-    : positions_(mesh.positions), normals_(mesh.normals) {
+TriangleLattice::TriangleLattice(const Mesh& mesh, double longest, std::size_t most, std::size_t shown) {
   constexpr double kLonger = 1.15;
+  const std::span triangles = shownOf(mesh, shown);
+  const std::size_t vertices = verticesOf(triangles);
+  positions_.assign(mesh.positions.begin(), mesh.positions.begin() + std::ptrdiff_t(vertices));
+  normals_.assign(mesh.normals.begin(), mesh.normals.begin() + std::ptrdiff_t(vertices));
   std::uint64_t places = 0;
   do {
     nets_.clear();
     places = 0;
-    for (const Triangle& t : mesh.triangles) places += nets_.emplace_back(netOf(mesh, t, longest)).places();
+    for (const Triangle& t : triangles) places += nets_.emplace_back(netOf(mesh, t, longest)).places();
     longest *= kLonger;
   } while (places > most);
   positions_.reserve(positions_.size() + places);

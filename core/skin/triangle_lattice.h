@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -17,10 +18,13 @@ class TriangleLattice {
 
   // longest   mm: no side of a part is longer, but for triangles of more than 128 parts a side
   // most      places beside the vertices
-  TriangleLattice(const Mesh& mesh, double longest, std::size_t most = kMost);
+  // shown     how many triangles have places: the first ones
+  TriangleLattice(const Mesh& mesh, double longest, std::size_t most = kMost,
+                  std::size_t shown = std::numeric_limits<std::size_t>::max());
 
   // placesOf: how many places it would have, vertices included.
-  static std::uint64_t placesOf(const Mesh& mesh, double longest);
+  static std::uint64_t placesOf(const Mesh& mesh, double longest,
+                                std::size_t shown = std::numeric_limits<std::size_t>::max());
 
   const std::vector<glm::vec3>& positions() const { return positions_; }
   const std::vector<glm::vec3>& normals() const { return normals_; }

@@ -2,7 +2,9 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <atomic>
+#include <span>
 
 namespace sonoskin {
 namespace {
@@ -71,10 +73,10 @@ std::vector<glm::vec2> coveredTiles(const AtlasMaps& maps) {
   return tiles.triangles();
 }
 
-// What looks between texels touch on the triangles of charts; not their skirts.
-std::vector<glm::vec2> shownTiles(const Atlas& atlas) {
+// What looks between texels touch on the triangles that are shown; not on their charts' skirts.
+std::vector<glm::vec2> shownTiles(const Atlas& atlas, std::size_t shown) {
   Tiles tiles(atlas.size);
-  for (const auto& [a, b, c] : atlas.corners)
+  for (const auto& [a, b, c] : std::span(atlas.corners).first(std::min(shown, atlas.corners.size())))
     tiles.draw(glm::ivec2(glm::floor(glm::min(a, glm::min(b, c)) - 0.5f)),
                glm::ivec2(glm::floor(glm::max(a, glm::max(b, c)) + 0.5f)));
   return tiles.triangles();
@@ -112,7 +114,12 @@ void GpuSkin::Parts::upload() {
   if (!surface) return;
   const Mesh& mesh = *surface->mesh;
   const auto& source = surface->vertices.source;
+  uploadHidden();
   box = boundingBox(mesh.positions);
+  if (hides()) {
+    const Box rest = boundingBox(surface->hidden.positions);
+    box = {glm::min(box.min, rest.min), glm::max(box.max, rest.max)};
+  }
   positions = gl::Buffer(std::span<const glm::vec3>(gather(mesh.positions, source)));
   normals = gl::Buffer(std::span<const glm::vec3>(gather(mesh.normals, source)));
   uvs = gl::Buffer(std::span<const glm::vec2>(surface->vertices.uv));
@@ -128,17 +135,40 @@ void GpuSkin::Parts::upload() {
   vertexArray->indices(indices);
   const AtlasMaps& maps = surface->maps;
   covered.upload(coveredTiles(maps));
-  shown.upload(shownTiles(surface->atlas));
+  shown.upload(shownTiles(surface->atlas, surface->shown));
   position = texture(maps.size, gl::Format::rgba32f, gl::Filter::nearest, maps.position);
   normal = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.normal);
   open = texture(maps.size, gl::Format::rgba16f, gl::Filter::linear, maps.occlusion);
   stretch = texture(maps.size, gl::Format::rg16f, gl::Filter::nearest, maps.stretch);
 }
 
-void GpuSkin::Parts::draw() const {
+void GpuSkin::Parts::uploadHidden() {
+  hidden = {};
+  if (!hides()) return;
+  const Mesh& mesh = surface->hidden;
+  hidden.positions = gl::Buffer(std::span<const glm::vec3>(mesh.positions));
+  hidden.normals = gl::Buffer(std::span<const glm::vec3>(mesh.normals));
+  hidden.indices = gl::Buffer(std::span<const Triangle>(mesh.triangles));
+  hidden.array.emplace();
+  hidden.array->attribute(0, 3, hidden.positions);
+  hidden.array->attribute(1, 3, hidden.normals);
+  hidden.array->indices(hidden.indices);
+}
+
+void GpuSkin::Parts::drawHidden() const {
+  if (!hides()) return;
+  glBindVertexArray(hidden.array->name());
+  glDrawElements(GL_TRIANGLES, GLsizei(surface->hidden.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuSkin::Parts::draw() const { drawFirst(std::min(surface->shown, surface->vertices.triangles.size())); }
+
+void GpuSkin::Parts::drawAll() const { drawFirst(surface->vertices.triangles.size()); }
+
+void GpuSkin::Parts::drawFirst(std::size_t triangles) const {
   glBindVertexArray(vertexArray->name());
   glVertexAttrib1f(3, 1.0f);  // for meshes that do not say what was measured
-  glDrawElements(GL_TRIANGLES, GLsizei(surface->vertices.triangles.size() * 3), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, GLsizei(triangles * 3), GL_UNSIGNED_INT, nullptr);
 }
 
 void GpuSkin::Parts::Drawn::upload(const std::vector<glm::vec2>& places) {
@@ -159,7 +189,8 @@ std::size_t GpuSkin::Parts::bytes() const {
   if (!surface) return 0;
   constexpr std::size_t kTexel = 16 + 8 + 8 + 4;
   return std::size_t(surface->maps.size.x) * std::size_t(surface->maps.size.y) * kTexel + positions.bytes() +
-         normals.bytes() + uvs.bytes() + indices.bytes();
+         normals.bytes() + uvs.bytes() + indices.bytes() + hidden.positions.bytes() + hidden.normals.bytes() +
+         hidden.indices.bytes();
 }
 
 gl::Texture chartNumbers(const SkinSurface& surface) {

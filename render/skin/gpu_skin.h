@@ -19,6 +19,11 @@ struct GpuSkin::Parts {
   Box box;
   std::optional<gl::VertexArray> vertexArray;
   gl::Buffer positions, normals, uvs, measured, indices;
+  struct Hidden {
+    gl::Buffer positions, normals, indices;
+    std::optional<gl::VertexArray> array;
+  };
+  Hidden hidden;  // what is not in the atlas, with inputs 0 and 1
   struct Drawn {
     gl::Buffer corners;
     std::optional<gl::VertexArray> array;
@@ -31,8 +36,14 @@ struct GpuSkin::Parts {
   gl::Texture position, normal, open, stretch;
 
   void upload();
-  // draw: all triangles, with the program in use.
+  void uploadHidden();
+  void drawFirst(std::size_t triangles) const;
+  // draw: the triangles that are shown, with the program in use; drawAll: those from which light spreads to them, too.
   void draw() const;
+  void drawAll() const;
+  // hides: whether there is more of the surface; drawHidden: that part, with the program in use.
+  bool hides() const { return surface && !surface->hidden.empty(); }
+  void drawHidden() const;
   // drawAtlas: the parts of the atlas that show something, with a program of skin/atlas.vert: half of it is empty.
   void drawAtlas() const { covered.draw(); }
   // drawShown: those that pictures read; without skirts a third less.

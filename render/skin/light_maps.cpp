@@ -35,7 +35,9 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
 
 std::string kindDefine(const LightRig& lights) { return fmt::format("KIND {}", int(lights.lights[0].kind)); }
 
-LightMaps::LightMaps() : program_({"skin/light_depth.vert", "skin/light_depth.frag"}) {
+LightMaps::LightMaps()
+    : program_({"skin/light_depth.vert", "skin/light_depth.frag"}),
+      hiddenProgram_({"skin/light_depth.vert", "skin/light_depth.frag"}, {"HIDDEN"}) {
   gl::FramebufferDescription depths{.size = {1, 1}, .colours = {}, .depth = gl::Format::depth32f};
   for (Map& map : maps_) {
     map.exits = gl::Framebuffer(depths);
@@ -58,7 +60,12 @@ void LightMaps::drawFacing(const GpuSkin& surface, const glm::mat4& view, unsign
   glDisable(GL_BLEND);
   program_.use();
   program_.set("viewProjection", view);
-  surface.parts().draw();
+  surface.parts().drawAll();
+  if (surface.parts().hides()) {
+    hiddenProgram_.use();
+    hiddenProgram_.set("viewProjection", view);
+    surface.parts().drawHidden();
+  }
   glCullFace(GL_BACK);
   glDisable(GL_CULL_FACE);
 }

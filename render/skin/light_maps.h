@@ -35,7 +35,7 @@ class LightMaps {
   };
   void drawFacing(const GpuSkin& surface, const glm::mat4& view, unsigned culled, const gl::Framebuffer& to);
 
-  gl::Program program_;
+  gl::Program program_, hiddenProgram_;
   std::array<Map, LightRig::kMost> maps_;
 };
 

@@ -1,9 +1,14 @@
 #include "render/skin/skin_pictures.h"
 
+#include <cmath>
+
+#include "core/skin/skin_material.h"
 #include "render/gl/read_pixels.h"
 
 namespace sonoskin {
 namespace {
+
+constexpr int kSupersampling = 2;
 
 // The home view of a camera's words: its preset without the changes.
 std::string_view presetOf(std::string_view camera) {
@@ -24,6 +29,19 @@ LightOptions lightsOf(const Parameters& parameters, const PictureOptions& option
   return light;
 }
 
+// What of the surface light can come from to what the camera sees. An integral over the surface has no end.
+SkinSight sightOf(const Camera& camera, const glm::ivec2& size, const Box& box, const SkinOptions& skin) {
+  constexpr double kWidths = 3;  // of the widest Gaussian
+  const glm::ivec2 samples = size * kSupersampling;
+  const double variance = makeSkinMaterial(skin).diffusion.variances.back();
+  const float nearest =
+      std::max(0.f, glm::dot(box.centre() - camera.eye(), camera.forward) - 0.5f * box.diagonal());
+  return {.viewProjection = camera.projection(float(size.x) / float(size.y), box) * camera.view(),
+          .size = samples,
+          .reach = float(kWidths * std::sqrt(variance)),
+          .sample = camera.millimetresPerPixel(samples.y) * nearest / camera.distance};
+}
+
 }  // namespace
 
 Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, const Parameters& parameters,
@@ -37,8 +55,9 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   const SkinLook skin{parameters.skin, parameters.landmarks,
                       makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
   const bool integrates = look.quality.diffusion == DiffusionMethod::reference;  // the longest part then
+  const SkinSight sight = integrates ? SkinSight{} : sightOf(camera, options.size, box, parameters.skin);
   const auto surface =
-      prepareSkin(std::move(mesh), home.back, look.quality, progress.part(0, integrates ? 0.1 : 0.8));
+      prepareSkin(std::move(mesh), home.back, look.quality, sight, progress.part(0, integrates ? 0.1 : 0.8));
 
   context.makeCurrent();
   GpuSkin gpu;
@@ -51,7 +70,7 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
              .camera = camera,
              .look = skin,
              .quality = look.quality,
-             .supersampling = 2,
+             .supersampling = kSupersampling,
              .pass = look.pass,
              .unseenShade = options.unseenShade},
             picture);

@@ -1,6 +1,7 @@
 // How much of one light reaches every texel of the atlas, and of light 0, how deep the skin is there as it sees it.
 // Variants: LIGHT: its number; KIND, see lights.glsl; TAPS: looks into its depth map.             [theory/skin.md, 4.2, 7.1]
 #include "common/noise.glsl"
+#include "skin/entry.glsl"
 #include "skin/lights.glsl"
 #include "skin/maps.glsl"
 
@@ -67,8 +68,9 @@ float thickness(vec3 p, vec3 n, vec3 l) {
   if (facing <= 0.0) return exp(-kThickness * kNothing);
   vec3 place = inMap(p - n * lights[LIGHT].texel);
   vec2 entry = textureLod(placeMap, place.xy, 0.0).rg;
-  if (entry.x <= 0.0) return 0.0;
-  float opposite = -dot(normalize(textureLod(normalMap, entry, 0.0).xyz), n);
+  if (!isEntry(entry)) return 0.0;
+  vec3 facingIn = isInAtlas(entry) ? normalize(textureLod(normalMap, entry, 0.0).xyz) : facingOf(entry);
+  float opposite = -dot(facingIn, n);
   float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(opposite, 0.0, 1.0));
   float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
   float sum = 0.0;

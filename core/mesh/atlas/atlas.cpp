@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/mesh/atlas/atlas_charts.h"
 #include "core/mesh/atlas/atlas_folds.h"
+#include "core/mesh/atlas/atlas_nest.h"
 #include "core/mesh/atlas/atlas_pack.h"
 #include "core/mesh/atlas/atlas_skirts.h"
 
@@ -27,11 +28,19 @@ glm::vec2 flat(const ChartAxis& axis, const glm::vec3& p) {
 }
 
 // Layout: the mm of every chart, with its skirt, and where it lies in the picture.
+//   coarse   per chart: how many times as large its texels are
 struct Layout {
   std::vector<Extent> extents;
+  std::vector<float> coarse;
   Packing packing;
   float texel = 0;
 };
+
+std::vector<float> coarseness(const Charts& charts, std::size_t fine) {
+  std::vector<float> coarse(charts.size(), 1);
+  for (std::size_t t = fine; t < charts.ofTriangle.size(); ++t) coarse[charts.ofTriangle[t]] = kCoarser;
+  return coarse;
+}
 
 std::vector<Extent> chartExtents(const Mesh& mesh, const std::array<ChartAxis, kChartAxes>& axes,
                                  const Charts& charts,
@@ -47,14 +56,15 @@ std::vector<Extent> chartExtents(const Mesh& mesh, const std::array<ChartAxis, k
   return extents;
 }
 
-Layout layOut(std::vector<Extent> extents, const AtlasOptions& options) {
+Layout layOut(std::vector<Extent> extents, std::vector<float> coarse, const AtlasOptions& options) {
   constexpr int kAttempts = 100;
-  Layout layout{std::move(extents), {}, float(options.texel)};
+  Layout layout{std::move(extents), std::move(coarse), {}, float(options.texel)};
   for (int attempt = 0;; ++attempt) {
     std::vector<glm::ivec2> boxes;
     bool fits = true;
-    for (const Extent& e : layout.extents) {
-      const glm::vec2 box = glm::ceil((e.high - e.low) / layout.texel);
+    for (std::size_t c = 0; c < layout.extents.size(); ++c) {
+      const Extent& e = layout.extents[c];
+      const glm::vec2 box = glm::ceil((e.high - e.low) / (layout.texel * layout.coarse[c]));
       fits = fits && box.x < float(options.maxSize) && box.y < float(options.maxSize);
       boxes.emplace_back(glm::min(box, glm::vec2(float(options.maxSize))));
     }
@@ -72,9 +82,9 @@ Corners place(const Mesh& mesh, std::uint32_t triangle, const ChartAxis& axis, c
               std::uint32_t chart) {
   Corners corners;
   for (std::size_t i = 0; i < 3; ++i)
-    corners[i] =
-        (flat(axis, mesh.positions[mesh.triangles[triangle][i]]) - layout.extents[chart].low) / layout.texel +
-        glm::vec2(layout.packing.place[chart]);
+    corners[i] = (flat(axis, mesh.positions[mesh.triangles[triangle][i]]) - layout.extents[chart].low) /
+                     (layout.texel * layout.coarse[chart]) +
+                 glm::vec2(layout.packing.place[chart]);
   return corners;
 }
 
@@ -111,13 +121,21 @@ Charts findCharts(const Facets& facets, const AtlasOptions& options,
 }  // namespace
 
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress) {
+  const Facets facets(mesh, progress.part(0, 0.1));
+  return buildAtlas(facets, options, progress.part(0.1, 1));
+}
+
+Atlas buildAtlas(const Facets& facets, const AtlasOptions& options, const Progress& progress) {
+  const Mesh& mesh = facets.mesh;
   require(options.texel > 0 && options.unit > 0 && options.maxSize >= 16 && options.maxTexels >= 256,
           "A texel needs a size, and an atlas at least 16 texels a side.");
   const std::array<ChartAxis, kChartAxes> axes = chartAxes(options.front);
-  const Facets facets(mesh, progress.part(0, 0.1));
-  const Charts charts = findCharts(facets, options, axes, progress.part(0.1, 0.6));
-  const auto skirts = chartSkirts(facets, axes, charts, float(options.skirt), progress.part(0.6, 0.9));
-  const Layout layout = layOut(chartExtents(mesh, axes, charts, skirts), options);
+  const Charts charts = findCharts(facets, options, axes, progress.part(0, 0.6));
+  auto skirts = chartSkirts(facets, axes, charts, float(options.skirt), progress.part(0.6, 0.9));
+  const std::vector<float> coarse = coarseness(charts, options.fine);
+  for (std::size_t c = 0; c < skirts.size(); ++c)
+    std::erase_if(skirts[c], [&](std::uint32_t t) { return coarse[c] > 1 || t >= options.fine; });
+  const Layout layout = layOut(chartExtents(mesh, axes, charts, skirts), coarse, options);
 
   Atlas atlas;
   atlas.size = layout.packing.size;
@@ -134,6 +152,7 @@ Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& 
       },
       progress.part(0.9, 1));
   placeSkirts(mesh, axes, charts, skirts, layout, atlas);
+  nestCharts(layout.packing.place, kGutter, atlas);
   return atlas;
 }
 

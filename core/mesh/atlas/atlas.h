@@ -3,11 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/facets.h"
 
 namespace sonoskin {
 
@@ -38,14 +39,19 @@ struct AtlasOptions {
   glm::vec3 front{0, 0, 1};   // unit; the chart that looks this way is favoured
   int maxSize = 8192;         // texels a side; a larger atlas gets larger texels
   double maxTexels = 6.8e7;   // in all, gaps included; so does one that has more
+  std::size_t fine = std::numeric_limits<
+      std::size_t>::max();  // triangles: charts of later ones have kCoarser times the texel and no skirts
   double unit =
       1;  // how many times as large as a body's the object's folds, charts and noise are taken to be
 };
+
+inline constexpr float kCoarser = 3;
 
 // buildAtlas: charts by parallel projection along 14 axes, of which one is `front`.
 //   method   theory/skin.md, 3.2
 //   cost     1 million triangles: below 2 s on two cores
 //   errors   Error: the options leave a texel or an atlas no size; Cancelled
+Atlas buildAtlas(const Facets& facets, const AtlasOptions& options, const Progress& progress = {});
 Atlas buildAtlas(const Mesh& mesh, const AtlasOptions& options, const Progress& progress = {});
 
 // atlasFromCoordinates: charts as the mesh's own texture coordinates have them, at a size at which the middle one of its
@@ -71,10 +77,14 @@ struct AtlasCheck {
   double overlap = 0, uncovered = 0, steep = 0, stretch99 = 1, stretchMax = 1;
   double seamLength = 0;  // mm
   double area = 0;
+  bool flat() const { return overlap <= 0.01; }
   // good: whether light may be diffused in it.               [theory/skin.md, 3.1: 60 charts; more for large heads: ours]
-  bool good() const { return overlap <= 0.01 && charts <= 60 + area / 100; }
+  bool good() const { return flat() && charts <= 60 + area / 100; }
 };
+AtlasCheck checkAtlas(const Facets& facets, const Atlas& atlas);
 AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas);
+// checkOverlap: of all this what good() asks for: charts, overlap and area; in half of the time.
+AtlasCheck checkOverlap(const Facets& facets, const Atlas& atlas);
 
 // AtlasVertices: the mesh with vertices of their own on both sides of a seam, to be drawn with the atlas' maps.
 //   uv      0 to 1 over the atlas

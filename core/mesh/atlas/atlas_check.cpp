@@ -14,6 +14,7 @@ constexpr float kShown = 1;         // a triangle is shown where the atlas has t
 
 // Claims: per texel the first place of the surface that owns it, and whether another one does. w: 1 owned, 2 disputed.
 std::vector<glm::vec4> findClaims(const Mesh& mesh, const Atlas& atlas) {
+  require(atlas.corners.size() == mesh.triangles.size(), "The atlas belongs to another mesh.");
   std::vector<glm::vec4> claims(std::size_t(atlas.size.x) * std::size_t(atlas.size.y), glm::vec4(0));
   const AtlasBands bands(atlas.size, atlas.corners);
   parallelFor(bands.count(), [&](std::ptrdiff_t b) {
@@ -91,29 +92,39 @@ double seamsOf(const Facets& facets, const Atlas& atlas) {
   return length;
 }
 
-}  // namespace
-
-AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas) {
-  require(atlas.corners.size() == mesh.triangles.size(), "The atlas belongs to another mesh.");
-  const Facets facets(mesh);
-  const double area = facets.area();
+// What claims alone say.
+AtlasCheck checkOf(const std::vector<glm::vec4>& claims, double area, const Atlas& atlas) {
   AtlasCheck check;
   check.charts = atlas.charts;
-  const std::vector<glm::vec4> claims = findClaims(mesh, atlas);
+  check.area = area / (double(atlas.unit) * double(atlas.unit));
   std::size_t owned = 0, disputed = 0;
   for (const glm::vec4& claim : claims) {
     owned += claim.w > 0;
     disputed += claim.w > 1;
   }
   check.overlap = owned > 0 ? double(disputed) / double(owned) : 0;
+  return check;
+}
+
+}  // namespace
+
+AtlasCheck checkAtlas(const Mesh& mesh, const Atlas& atlas) { return checkAtlas(Facets(mesh), atlas); }
+
+AtlasCheck checkAtlas(const Facets& facets, const Atlas& atlas) {
+  const std::vector<glm::vec4> claims = findClaims(facets.mesh, atlas);
+  const double area = facets.area();
+  AtlasCheck check = checkOf(claims, area, atlas);
   double hidden = 0;
   for (std::size_t t = 0; t < facets.size(); ++t)
     if (!isShown(atlas, claims, atlas.corners[t], facets.centre[t])) hidden += double(facets.area(t));
   check.uncovered = area > 0 ? hidden / area : 0;
   measureStretch(facets, atlas, area, check);
   check.seamLength = seamsOf(facets, atlas);
-  check.area = surfaceArea(mesh) / (double(atlas.unit) * double(atlas.unit));
   return check;
+}
+
+AtlasCheck checkOverlap(const Facets& facets, const Atlas& atlas) {
+  return checkOf(findClaims(facets.mesh, atlas), facets.area(), atlas);
 }
 
 }  // namespace sonoskin

@@ -68,7 +68,7 @@ std::optional<Atlas> atlasFromCoordinates(const Mesh& mesh, const AtlasOptions& 
     for (std::size_t i = 0; i < 3; ++i) placed[i] = (corners[i] - low) * texels + kGutter;
   }
   numberCharts(facets, atlas);
-  if (checkAtlas(mesh, atlas).overlap > 0.01) return {};
+  if (checkOverlap(facets, atlas).overlap > 0.01) return {};
   return atlas;
 }
 

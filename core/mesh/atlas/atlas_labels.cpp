@@ -25,7 +25,7 @@ std::uint32_t majority(const Facets& facets, const std::vector<std::uint32_t>& l
 }  // namespace
 
 std::vector<glm::vec3> smoothNormals(const Facets& facets, float length, const Progress& progress) {
-  const SurfacePatches patches = growPatches(facets, 0.4f * length, progress.part(0, 0.4));
+  const SurfacePatches patches = growPatches(facets, 0.6f * length, progress.part(0, 0.4));
   std::vector<glm::vec4> sums(patches.size(), glm::vec4(0));
   for (std::size_t t = 0; t < facets.size(); ++t)
     sums[patches.ofTriangle[t]] += glm::vec4(facets.normal[t], 0);

@@ -154,6 +154,12 @@ void drawRims(const Baker& baker, const Atlas& atlas, const Facets& facets, cons
 
 AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& atlas,
                     const Progress& progress) {
+  return bakeAtlas(Facets(mesh), traits, atlas, progress);
+}
+
+AtlasMaps bakeAtlas(const Facets& facets, const SurfaceTraits& traits, const Atlas& atlas,
+                    const Progress& progress) {
+  const Mesh& mesh = facets.mesh;
   const std::size_t vertices = mesh.positions.size();
   require(mesh.normals.size() == vertices && traits.occlusion.size() == vertices &&
               traits.curvature.size() == vertices,
@@ -168,7 +174,7 @@ AtlasMaps bakeAtlas(const Mesh& mesh, const SurfaceTraits& traits, const Atlas& 
                  std::vector<std::uint32_t>(texels, 0)};
   const Baker baker{mesh, traits, maps, atlas.unit};
   drawTriangles(baker, atlas, progress.part(0, 0.5));
-  drawRims(baker, atlas, Facets(mesh), progress.part(0.5, 0.6));
+  drawRims(baker, atlas, facets, progress.part(0.5, 0.6));
   maps.stretch = stretchMap(atlas, maps.position, progress.part(0.6, 1));
   return maps;
 }

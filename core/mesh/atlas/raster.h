@@ -33,14 +33,20 @@ struct Barycentric {
 template <class F>
 void forEachTexel(const std::array<glm::vec2, 3>& corners, int width, const glm::ivec2& rows, const F& f) {
   constexpr float kEdge = -1e-4f;
-  const Barycentric weights(corners);
-  if (!weights.valid()) return;
   const glm::vec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]),
                   high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  const auto first = [](float x) { return int(std::ceil(x - 0.5f - 1e-4f)); };
-  const auto last = [](float x) { return int(std::floor(x - 0.5f + 1e-4f)); };
-  const int x0 = std::max(first(low.x), 0), x1 = std::min(last(high.x), width - 1);
-  const int y0 = std::max(first(low.y), rows[0]), y1 = std::min(last(high.y), rows[1] - 1);
+  // Limited while they are floats, which may be anything; the limits come first, for what is no number is not less.
+  const auto first = [](float x, int least) {
+    return int(std::ceil(std::max(float(least), x) - 0.5f - 1e-4f));
+  };
+  const auto last = [](float x, int most, int least) {
+    return int(std::floor(std::max(float(least) - 1, std::min(float(most), x)) - 0.5f + 1e-4f));
+  };
+  const int x0 = first(low.x, 0), x1 = last(high.x, width, 0);
+  const int y0 = first(low.y, rows[0]), y1 = last(high.y, rows[1], rows[0]);
+  if (x0 > x1 || y0 > y1) return;  // most triangles that are smaller than texels: before anything is divided
+  const Barycentric weights(corners);
+  if (!weights.valid()) return;
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const glm::vec3 w = weights.at({float(x) + 0.5f, float(y) + 0.5f});

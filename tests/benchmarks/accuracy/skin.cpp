@@ -155,12 +155,13 @@ void printHead(const SkinHead& head) {
     quality.triangles = 0;
     surfaces.push_back(prepareSkin(head.mesh, head.home.back, quality));
     const SkinSurface& s = *surfaces.back();
+    const AtlasCheck check = checkAtlas(*s.mesh, s.atlas);
     std::printf(
         "%.2f mm: %s, %dx%d texels of %.3f mm, %d charts, seams %.2f m, overlap %.2f %%, uncovered %.2f %%, "
         "stretch %.2f (99 %%)\n\n",
         quality.texel, s.pointBased ? "in blocks" : "atlas", s.atlas.size.x, s.atlas.size.y,
-        double(s.atlas.texel), s.check.charts, 1e-3 * s.check.seamLength, 100 * s.check.overlap,
-        100 * s.check.uncovered, s.check.stretch99);
+        double(s.atlas.texel), check.charts, 1e-3 * check.seamLength, 100 * check.overlap,
+        100 * check.uncovered, check.stretch99);
     printFurnace(surfaces.back(), places);
   }
   std::printf(
