@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/parallel_blocks.h"
+
 namespace sonoskin {
 namespace {
 
@@ -37,7 +39,8 @@ SideBins binSides(const std::vector<Triangle>& triangles, std::size_t vertices) 
 std::vector<std::uint32_t> oppositeHalfEdges(const std::vector<Triangle>& triangles, std::size_t vertices) {
   std::vector<std::uint32_t> opposite(3 * triangles.size(), kNoHalfEdge);
   SideBins bins = binSides(triangles, vertices);
-  for (std::size_t v = 0; v < vertices; ++v) {
+  constexpr std::size_t kPerTask = 1 << 14;
+  parallelItems(vertices, kPerTask, [&](std::size_t v) {
     const auto begin = bins.sides.begin() + bins.start[v], end = bins.sides.begin() + bins.start[v + 1];
     std::sort(begin, end, [](const Side& a, const Side& b) {
       return a.high != b.high ? a.high < b.high : a.halfEdge < b.halfEdge;
@@ -52,7 +55,7 @@ std::vector<std::uint32_t> oppositeHalfEdges(const std::vector<Triangle>& triang
       }
       first = last;
     }
-  }
+  });
   return opposite;
 }
 

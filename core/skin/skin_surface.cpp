@@ -65,10 +65,8 @@ double texelFor(double area, const SkinQuality& quality) {
 // Blurs find light on charts that are whole; points need samples of it alone.
 void takeShown(std::shared_ptr<const Mesh> mesh, const SkinSight& sight, bool byPoints,
                SkinSurface& surface) {
-  constexpr int kMargin = 1;  // rings of triangles: rounding may show another one than the nearest
   const Mesh& whole = *mesh;
-  const std::vector<std::uint8_t> isShown =
-      trianglesBeside(whole, seenTriangles(whole, sight.viewProjection, sight.size), kMargin);
+  const std::vector<std::uint8_t> isShown = seenTriangles(whole, sight.viewProjection, sight.size);
   const std::vector<std::uint8_t> isLit = trianglesWithin(whole, isShown, sight.reach);
   std::vector<std::uint32_t> shown, lit, hidden;
   for (std::uint32_t t = 0; t < isLit.size(); ++t)

@@ -98,12 +98,30 @@ Charts separate(const Facets& facets, const std::vector<glm::vec3>& normals,
   return connectedCharts(facets, keys, axisOfKey, progress);
 }
 
+// Per chart 1 where it is not one of those before: these hide nothing that has not been put back into them already.
+std::vector<std::uint8_t> changedCharts(const Charts& before, const Charts& after) {
+  std::vector<std::uint32_t> size(before.size(), 0), part(after.size(), 0), from(after.size(), 0);
+  std::vector<std::uint8_t> isChanged(after.size(), 0);
+  for (std::size_t t = 0; t < before.ofTriangle.size(); ++t) {
+    const std::uint32_t b = before.ofTriangle[t], a = after.ofTriangle[t];
+    ++size[b];
+    if (part[a]++ == 0)
+      from[a] = b;
+    else if (from[a] != b)
+      isChanged[a] = 1;
+  }
+  for (std::size_t a = 0; a < after.size(); ++a)
+    if (part[a] != size[from[a]] || after.axis[a] != before.axis[from[a]]) isChanged[a] = 1;
+  return isChanged;
+}
+
 }  // namespace
 
 void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
                 const std::array<ChartAxis, kChartAxes>& axes, const FoldOptions& options, Charts& charts,
                 const Progress& progress) {
   constexpr int kRounds = 3;
+  std::vector<std::uint8_t> isChanged(charts.size(), 1);
   for (int round = 0; round < kRounds; ++round) {
     const Progress part = progress.part(double(round) / kRounds, double(round + 1) / kRounds);
     const Groups groups(charts.ofTriangle, charts.size());
@@ -112,16 +130,20 @@ void splitFolds(const Facets& facets, const std::vector<glm::vec3>& normals,
         std::ptrdiff_t(charts.size()),
         [&](std::ptrdiff_t c) {
           const std::size_t g = std::size_t(c);
+          if (!isChanged[g]) return;
           markHidden(facets, groups.begin(g), groups.end(g), axes[charts.axis[g]], options.unit, isMarked);
         },
         part.part(0, 0.6));
     for (std::size_t t = 0; t < facets.size(); ++t)
-      if (glm::dot(normals[t], axes[charts.axis[charts.ofTriangle[t]]].toward) < kLeastFacing)
+      if (isChanged[charts.ofTriangle[t]] &&
+          glm::dot(normals[t], axes[charts.axis[charts.ofTriangle[t]]].toward) < kLeastFacing)
         isMarked[t] = 1;
     if (std::find(isMarked.begin(), isMarked.end(), 1) == isMarked.end()) break;
     growMarks(facets, charts, kMargin * options.unit, isMarked);
-    charts = separate(facets, normals, axes, charts, isMarked, part.part(0.6, 0.9));
-    mergeSmallCharts(facets, axes, options.tiny, options.tiny, charts);
+    Charts parted = separate(facets, normals, axes, charts, isMarked, part.part(0.6, 0.9));
+    mergeSmallCharts(facets, axes, options.tiny, options.tiny, parted);
+    isChanged = changedCharts(charts, parted);
+    charts = std::move(parted);
   }
 }
 

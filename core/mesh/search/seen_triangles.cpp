@@ -26,40 +26,56 @@ std::vector<glm::vec4> projected(const Mesh& mesh, const glm::mat4& viewProjecti
   return places;
 }
 
-// The nearest triangle at each sample of a band of rows is marked.
+// Marks the triangles of a band of rows that are not hidden by what samples near them show.
 class BandMarks {
  public:
-  BandMarks(const Mesh& mesh, const std::vector<glm::vec4>& places, int width)
-      : mesh_(mesh), places_(places), width_(width) {}
+  static constexpr int kMargin = 1;  // samples around a triangle that must all be nearer to hide it
 
-  void mark(const AtlasBands& bands, int band, const std::vector<Corners>& corners,
-            std::vector<std::uint8_t>& isSeen) const {
-    const glm::ivec2 rows = bands.rows(band);
-    const auto count = std::size_t(rows[1] - rows[0]) * std::size_t(width_);
+  BandMarks(const Mesh& mesh, const std::vector<glm::vec4>& places, const std::vector<Corners>& corners,
+            const glm::ivec2& size)
+      : mesh_(mesh), places_(places), corners_(corners), size_(size) {}
+
+  void mark(const AtlasBands& bands, int band, std::vector<std::uint8_t>& isSeen) const {
+    const glm::ivec2 inner = bands.rows(band),
+                     rows(std::max(inner[0] - kMargin, 0), std::min(inner[1] + kMargin, size_.y));
     thread_local std::vector<float> depth;
-    thread_local std::vector<std::uint32_t> nearest;
-    depth.assign(count, std::numeric_limits<float>::max());
-    nearest.assign(count, kNone);
+    depth.assign(std::size_t(rows[1] - rows[0]) * std::size_t(size_.x), std::numeric_limits<float>::max());
     for (const std::uint32_t* t = bands.begin(band); t != bands.end(band); ++t) {
-      const auto& [i, j, k] = mesh_.triangles[*t];
-      const glm::vec3 z(places_[i].z, places_[j].z, places_[k].z);
-      forEachTexel(corners[*t], width_, rows, [&](int x, int y, const glm::vec3& w) {
-        const std::size_t at = std::size_t(y - rows[0]) * std::size_t(width_) + std::size_t(x);
-        const float here = glm::dot(w, z);
-        if (here >= depth[at]) return;
-        depth[at] = here;
-        nearest[at] = *t;
+      const glm::vec3 z = depthsOf(*t);
+      forEachTexel(corners_[*t], size_.x, rows, [&](int x, int y, const glm::vec3& w) {
+        float& nearest = depth[std::size_t(y - rows[0]) * std::size_t(size_.x) + std::size_t(x)];
+        nearest = std::min(nearest, glm::dot(w, z));
       });
     }
-    // A triangle may lie in two bands.
-    for (const std::uint32_t t : nearest)
-      if (t != kNone) std::atomic_ref(isSeen[t]).store(1, std::memory_order_relaxed);
+    for (const std::uint32_t* t = bands.begin(band); t != bands.end(band); ++t) {
+      std::atomic_ref seen(isSeen[*t]);  // a triangle may lie in two bands
+      if (!seen.load(std::memory_order_relaxed) && !isHidden(*t, rows, depth))
+        seen.store(1, std::memory_order_relaxed);
+    }
   }
 
  private:
+  glm::vec3 depthsOf(std::uint32_t t) const {
+    const auto& [i, j, k] = mesh_.triangles[t];
+    return {places_[i].z, places_[j].z, places_[k].z};
+  }
+  bool isHidden(std::uint32_t t, const glm::ivec2& rows, const std::vector<float>& depth) const {
+    constexpr float kSame = 1e-5f;  // of the depth that there is: rounding
+    const glm::vec3 z = depthsOf(t);
+    const float nearest = std::min({z.x, z.y, z.z}) - kSame;
+    const auto& [a, b, c] = corners_[t];
+    const glm::ivec2 low(glm::floor(glm::min(a, glm::min(b, c)) - float(kMargin) + 0.5f)),
+        high(glm::ceil(glm::max(a, glm::max(b, c)) + float(kMargin) - 0.5f));
+    for (int y = std::max(low.y, rows[0]); y < std::min(high.y, rows[1]); ++y)
+      for (int x = std::max(low.x, 0); x < std::min(high.x, size_.x); ++x)
+        if (depth[std::size_t(y - rows[0]) * std::size_t(size_.x) + std::size_t(x)] >= nearest) return false;
+    return true;
+  }
+
   const Mesh& mesh_;
   const std::vector<glm::vec4>& places_;
-  int width_;
+  const std::vector<Corners>& corners_;
+  glm::ivec2 size_;
 };
 
 float longest(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -143,7 +159,8 @@ void keep(const std::vector<T>& values, const std::vector<std::uint32_t>& kept, 
 std::vector<std::uint8_t> seenTriangles(const Mesh& mesh, const glm::mat4& viewProjection, glm::ivec2 size) {
   const std::vector<glm::vec4> places = projected(mesh, viewProjection, glm::vec2(size));
   std::vector<std::uint8_t> isSeen(mesh.triangles.size(), 0);
-  std::vector<Corners> corners(mesh.triangles.size(), Corners{});  // a point: nothing is drawn
+  constexpr Corners kNowhere{glm::vec2(-1e4f), glm::vec2(-1e4f), glm::vec2(-1e4f)};
+  std::vector<Corners> corners(mesh.triangles.size(), kNowhere);
   parallelItems(corners.size(), kPerTask, [&](std::size_t t) {
     const auto& [i, j, k] = mesh.triangles[t];
     const glm::vec4 &a = places[i], &b = places[j], &c = places[k];
@@ -152,9 +169,9 @@ std::vector<std::uint8_t> seenTriangles(const Mesh& mesh, const glm::mat4& viewP
     else
       isSeen[t] = 1;
   });
-  const AtlasBands bands(size, corners);
-  const BandMarks marks(mesh, places, size.x);
-  parallelFor(bands.count(), [&](std::ptrdiff_t b) { marks.mark(bands, int(b), corners, isSeen); });
+  const AtlasBands bands(size, corners, BandMarks::kMargin + 1);
+  const BandMarks marks(mesh, places, corners, size);
+  parallelFor(bands.count(), [&](std::ptrdiff_t b) { marks.mark(bands, int(b), isSeen); });
   return isSeen;
 }
 
@@ -169,18 +186,6 @@ std::vector<std::uint8_t> trianglesWithin(const Mesh& mesh, const std::vector<st
   for (std::size_t t = 0; t < within.size(); ++t)
     cells.forEach(mesh, mesh.triangles[t], [&](std::uint8_t mark) { within[t] |= mark > 0; });
   return within;
-}
-
-std::vector<std::uint8_t> trianglesBeside(const Mesh& mesh, std::vector<std::uint8_t> isMarked, int rings) {
-  for (int ring = 0; ring < rings; ++ring) {
-    std::vector<std::uint8_t> isTouched(mesh.positions.size(), 0);
-    for (std::size_t t = 0; t < isMarked.size(); ++t)
-      if (isMarked[t])
-        for (const std::uint32_t v : mesh.triangles[t]) isTouched[v] = 1;
-    for (std::size_t t = 0; t < isMarked.size(); ++t)
-      for (const std::uint32_t v : mesh.triangles[t]) isMarked[t] |= isTouched[v];
-  }
-  return isMarked;
 }
 
 Mesh selectTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
