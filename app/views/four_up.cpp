@@ -45,9 +45,19 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
   return next;
 }
 
+// What the GPU holds of a document goes with it. Results that are made anew take the place of those before.
+void letGoOfClosed(FourUp& views, const Results& results) {
+  if (!results.classified) views.scans.classified = {};
+  if (!results.thinned) views.scans.thinned = {};
+  if (results.mesh) return;
+  views.space.mesh.set(nullptr);
+  views.space.skin.letGo();
+}
+
 }  // namespace
 
 double drawFourUp(FourUp& views, Workspace& workspace) {
+  letGoOfClosed(views, workspace.session.results());
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
   // A copy: a double click changes it, and that counts from the next frame.
   if (const auto maximised = workspace.view.maximised)

@@ -42,4 +42,9 @@ void LightRefiner::cancel() {
   ready_.reset();
 }
 
+void LightRefiner::letGo() {
+  cancel();
+  kept_ = std::make_shared<BlockDiffusion>();
+}
+
 }  // namespace sonoskin::ui

@@ -25,6 +25,8 @@ class LightRefiner {
   bool update(SkinView& view, const GpuSkin& surface, const Key& light, bool rests);
   // cancel: gives up what is under way, for the light moves.
   void cancel();
+  // letGo: cancels, and gives back what was kept for the surface, which is shown no more.
+  void letGo();
   // status: what runs, for people; failures: of what ran, each told once.
   Worker::Status status() const { return worker_ ? worker_->status() : Worker::Status{}; }
   std::vector<std::string> failures() { return std::exchange(failures_, {}); }

@@ -41,6 +41,8 @@ HomeFrame homeOf(const Workspace& workspace) {
 void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
   if (!worker_) worker_ = std::make_unique<Worker>();
   wanted_ = wanted;
+  prepared_.reset();  // is shown no more; two would need twice the memory
+  if (surface_) surface_->set(nullptr);
   const auto made = std::make_shared<std::shared_ptr<const SkinSurface>>();
   const glm::vec3 front = homeOf(workspace).back;
   worker_->replace({"Preparing skin",
@@ -55,6 +57,16 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                       times_.reset();
                       drawn_ = 0;
                     }});
+}
+
+void SkinScene::letGo() {
+  if (!prepared_ && !views_.present) return;
+  presentRefiner_.letGo();
+  keptRefiner_.letGo();
+  prepared_.reset();
+  surface_.reset();
+  views_ = {};
+  wanted_ = shown_ = {};
 }
 
 std::vector<std::string> SkinScene::update(Workspace& workspace) {

@@ -56,6 +56,8 @@ class SkinScene {
   bool shows(const Workspace& workspace) const;
   // caption: "Preparing skin  40 %", "Refining light  40 %", or empty.
   std::string caption() const;
+  // letGo: gives back all that was made for a mesh that is gone; for a document that was closed.
+  void letGo();
   bool preparing() const { return worker_ && worker_->status().busy; }
 
   // addTo: everything but camera and size that a picture depends on.

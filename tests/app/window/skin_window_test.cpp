@@ -86,6 +86,28 @@ TEST_F(SkinWindowTest, DragsTheLampBehindAndTurnsItsDistance) {
   EXPECT_EQ(d.session().parameters().light.distance, distance) << "both turns are one step";
 }
 
+// Whoever still held a volume or a surface of it would hold its memory.
+TEST_F(SkinWindowTest, GivesTheMemoryOfAClosedDocumentBack) {
+  Driver& d = *driver;
+  const Results& results = d.session().results();
+  const std::weak_ptr<const Mesh> mesh = results.mesh;
+  const std::weak_ptr<const Volume<float>> volume = d.session().scan().volume,
+                                           classified = results.classified;
+  const std::weak_ptr<const Volume<std::uint8_t>> thinned = results.thinned;
+  Parameters p = d.session().parameters();
+  p.phantom.seed += 1;
+  d.session().edit(p);
+  d.session().commitEdit();
+  d.session().openPhantom();
+  ASSERT_TRUE(d.wait([&] { return d.session().scan().volume != volume.lock(); }));
+  ASSERT_TRUE(d.waitUntilIdle());
+  d.frames(3);
+  EXPECT_TRUE(mesh.expired());
+  EXPECT_TRUE(volume.expired());
+  EXPECT_TRUE(classified.expired());
+  EXPECT_TRUE(thinned.expired());
+}
+
 // A busy machine may smooth edges in one of two pictures only: of the two pixels one lies between those around the other then.
 constexpr int kOutline = 1;
 
