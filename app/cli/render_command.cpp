@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
@@ -90,7 +91,7 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
     throw Error("--scale and --flip are for meshes; of a volume correct the spacing in its header.",
                 Error::Kind::usage);
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
-  const Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
+  Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
   o.picture.beam = beamOf(scan, parameters.scan);
   const auto compute = [&](Goal goal) {
     Results results = Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),
@@ -102,11 +103,15 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
   if (o.view == "volume") {
     VolumePictureOptions look;
     look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
-    const Results results = compute(o.whole ? Goal::classified : Goal::mesh);
-    look.iso = float(o.level > 0 ? o.level : results.visibleLevel);
-    if (!o.whole) look.crop = boxAround(*results.mesh);
+    look.iso = float(o.level);
+    // Nothing is computed that the picture does not need: a level is found without a surface, a box around it is not.
+    if (!o.whole || o.level <= 0) {
+      const Results results = compute(o.whole ? Goal::levels : Goal::mesh);
+      if (o.level <= 0) look.iso = float(results.visibleLevel);
+      if (!o.whole) look.crop = boxAround(*results.mesh);
+    }
     console.beginStage("picture");
-    return {pictureOfVolume(context, withinRegion(scan.volume, region), look, o.picture)};
+    return {pictureOfVolume(context, withinRegion(std::exchange(scan.volume, {}), region), look, o.picture)};
   }
   const Results results = compute(Goal::mesh);
   if (o.view != "slices") {

@@ -57,13 +57,16 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   const StageShares shares = sharesOf(parameters);
   const bool hurried = goal != Goal::mesh;
   memory_->results.beginRun(!hurried);
-  const double whole = goal == Goal::classified ? 1 / shares.classified.until : 1;
+  const double whole = goal == Goal::levels       ? 1 / shares.prepared.until
+                       : goal == Goal::classified ? 1 / shares.classified.until
+                                                  : 1;
   StageRun run(memory_->results, progress.part(0, whole), stageBegins, results.stages);
   const StageContext context{scan, parameters, shares, run};
 
   const ClassifierInput input = prepareVolume(context, enhanceScan(context));
   const Prepared& prepared = *input.prepared.value;
   noteLevels(parameters.classification, prepared.smoothed.levels, results);
+  if (goal == Goal::levels) return results;
   const auto classified = classifyVolume(context, input, hurried ? &memory_->solver : nullptr);
   results.classified = classified.value;
   if (goal == Goal::classified) return results;

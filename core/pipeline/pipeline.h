@@ -12,9 +12,10 @@
 namespace sonoskin {
 
 // Goal: how far a run goes.
+//   levels    to the grey levels alone, for views of the volume itself
 //   surface   to a mesh, for somebody who turns a slider: made from the live classification unless the final one is known
 //   mesh      to a mesh made from a classification that is solved to its tolerance
-enum class Goal { classified, points, surface, mesh };
+enum class Goal { levels, classified, points, surface, mesh };
 
 // Preview: voxels of twice or four times the size; long voxels grow less.
 enum class Preview { half, quarter };

@@ -182,6 +182,9 @@ TEST_F(PipelineTest, TheRegionReachesThePointsAlone) {
 }
 
 TEST_F(PipelineTest, GoalsEndTheWayEarlier) {
+  const Results levels = pipeline.run(scan, parameters, Goal::levels);
+  EXPECT_FALSE(levels.classified);
+  EXPECT_EQ(levels.visibleLevel, pipeline.run(scan, parameters, Goal::classified).visibleLevel);
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::classified).points);
   EXPECT_FALSE(pipeline.run(scan, parameters, Goal::points).mesh);
 }
