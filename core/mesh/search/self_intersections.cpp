@@ -11,7 +11,7 @@
 namespace sonoskin {
 namespace {
 
-constexpr std::size_t kTrianglesPerTask = 2048;
+constexpr std::size_t kLeavesPerTask = 512;
 
 // Six times the volume of a tetrahedron; its sign tells the side of d. Zero if that is within the rounding.
 double volume6(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
@@ -29,10 +29,22 @@ bool piercesInside(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) {
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
-// Whether a side of `a` passes through `b`; a side at corner `shared` of a (3: none) touches it anyway.
-bool pierces(const Corners& a, const Corners& b, std::size_t shared) {
-  std::array<double, 3> side;
-  for (std::size_t i = 0; i < 3; ++i) side[i] = i == shared ? 0 : volume6(b[0], b[1], b[2], a[i]);
+using Sides = std::array<double, 3>;
+
+// On which side of a triangle's plane another one's corners lie; a corner at `shared` (3: none) lies in it.
+Sides sidesOf(const Corners& corners, const Corners& plane, std::size_t shared) {
+  Sides sides;
+  for (std::size_t i = 0; i < 3; ++i)
+    sides[i] = i == shared ? 0 : volume6(plane[0], plane[1], plane[2], corners[i]);
+  return sides;
+}
+
+bool onOneSide(const Sides& s) {
+  return (s[0] >= 0 && s[1] >= 0 && s[2] >= 0) || (s[0] <= 0 && s[1] <= 0 && s[2] <= 0);
+}
+
+// Whether a side of `a` passes through `b`, whose plane has a's corners on those sides.
+bool pierces(const Corners& a, const Sides& side, const Corners& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if (((side[i] > 0 && side[j] < 0) || (side[i] < 0 && side[j] > 0)) && piercesInside(a[i], a[j], b))
@@ -41,23 +53,23 @@ bool pierces(const Corners& a, const Corners& b, std::size_t shared) {
   return false;
 }
 
-Box boxOf(const Mesh& mesh, const Triangle& t) {
-  const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
-}
-
 Corners cornersOf(const Mesh& mesh, const Triangle& t) {
   return {glm::dvec3(mesh.positions[t[0]]), glm::dvec3(mesh.positions[t[1]]),
           glm::dvec3(mesh.positions[t[2]])};
 }
 
-std::size_t countOf(const Mesh& mesh, const TriangleTree& tree, std::uint32_t triangle) {
-  const Box box = boxOf(mesh, mesh.triangles[triangle]);
-  const Corners corners = cornersOf(mesh, mesh.triangles[triangle]);
+// Most pairs are neighbours along a side, which need no arithmetic.
+bool shareASide(const Triangle& a, const Triangle& b) {
+  int common = 0;
+  for (const std::uint32_t i : a) common += i == b[0] || i == b[1] || i == b[2];
+  return common >= 2;
+}
+
+std::size_t countOf(const Mesh& mesh, const TriangleTree& tree, std::size_t leaf) {
   std::size_t count = 0;
-  tree.forEachNear(box, [&](std::uint32_t other) {
-    if (other <= triangle || !overlap(box, boxOf(mesh, mesh.triangles[other]))) return;
-    count += trianglesCross(corners, cornersOf(mesh, mesh.triangles[other]));
+  tree.forEachPair(leaf, [&](std::uint32_t t, std::uint32_t u) {
+    const Triangle &a = mesh.triangles[t], &b = mesh.triangles[u];
+    if (!shareASide(a, b)) count += trianglesCross(cornersOf(mesh, a), cornersOf(mesh, b));
   });
   return count;
 }
@@ -73,18 +85,22 @@ bool trianglesCross(const Corners& a, const Corners& b) {
         inA = i;
         inB = j;
       }
-  return common < 2 && (pierces(a, b, inA) || pierces(b, a, inB));
+  if (common >= 2) return false;
+  const Sides ofA = sidesOf(a, b, inA);
+  if (onOneSide(ofA)) return false;
+  const Sides ofB = sidesOf(b, a, inB);
+  return !onOneSide(ofB) && (pierces(a, ofA, b) || pierces(b, ofB, a));
 }
 
 std::size_t countSelfIntersections(const Mesh& mesh, const Progress& progress) {
   if (mesh.empty()) return 0;
   const TriangleTree tree(mesh);
-  std::vector<std::size_t> counts(blockCount(mesh.triangles.size(), kTrianglesPerTask), 0);
+  std::vector<std::size_t> counts(blockCount(tree.leaves(), kLeavesPerTask), 0);
   parallelBlocks(
-      mesh.triangles.size(), kTrianglesPerTask,
+      tree.leaves(), kLeavesPerTask,
       [&](std::size_t first, std::size_t end) {
-        std::size_t& count = counts[first / kTrianglesPerTask];
-        for (std::size_t t = first; t < end; ++t) count += countOf(mesh, tree, std::uint32_t(t));
+        std::size_t& count = counts[first / kLeavesPerTask];
+        for (std::size_t leaf = first; leaf < end; ++leaf) count += countOf(mesh, tree, leaf);
       },
       progress);
   return std::accumulate(counts.begin(), counts.end(), std::size_t(0));

@@ -53,12 +53,17 @@ TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh) {
 
   leaves_ = std::bit_ceil((order_.size() + kLeaf - 1) / kLeaf);
   boxes_.assign(2 * leaves_, emptyBox());
-  for (std::size_t i = 0; i < order_.size(); ++i)
-    for (const std::uint32_t v : mesh.triangles[order_[i]]) {
-      Box& leaf = boxes_[leaves_ + i / kLeaf];
-      leaf = unite(leaf, {mesh.positions[v], mesh.positions[v]});
-    }
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    Box& leaf = boxes_[leaves_ + i / kLeaf];
+    leaf = unite(leaf, boxOf(i));
+  }
   for (std::size_t n = leaves_ - 1; n > 0; --n) boxes_[n] = unite(boxes_[2 * n], boxes_[2 * n + 1]);
+}
+
+Box TriangleTree::boxOf(std::size_t place) const {
+  const auto& [a, b, c] = mesh_.triangles[order_[place]];
+  const Box first{mesh_.positions[a], mesh_.positions[a]}, second{mesh_.positions[b], mesh_.positions[b]};
+  return unite(unite(first, second), {mesh_.positions[c], mesh_.positions[c]});
 }
 
 void TriangleTree::tryTriangle(const glm::vec3& query, std::uint32_t triangle, Hit& best) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -34,8 +35,22 @@ class TriangleTree {
   template <class F>
   void forEachNear(const Box& box, F&& f) const;
 
+  // leaves: of a few triangles each; forEachPair: calls f(a, b) for every two triangles whose boxes meet, of which one lies in
+  // the leaf and the other in it or in a later one: over all leaves, once for every pair.
+  std::size_t leaves() const { return (order_.size() + kLeaf - 1) / kLeaf; }
+  template <class F>
+  void forEachPair(std::size_t leaf, F&& f) const;
+
  private:
   static constexpr std::size_t kLeaf = 4;
+
+  Box boxOf(std::size_t place) const;  // of a triangle, by its place along the curve
+  std::size_t lastLeaf(std::size_t node) const {
+    const auto below = std::bit_width(leaves_) - std::bit_width(node);
+    return ((node + 1) << below) - 1 - leaves_;
+  }
+  template <class F>
+  void pairWith(std::size_t leaf, std::size_t later, const std::array<Box, kLeaf>& boxes, F&& f) const;
 
   void tryTriangle(const glm::vec3& query, std::uint32_t triangle, Hit& best) const;
   void searchLeaf(const glm::vec3& query, std::size_t leaf, Hit& best) const;
@@ -62,6 +77,38 @@ void TriangleTree::forEachNear(const Box& box, F&& f) const {
     }
     const std::size_t first = (node - leaves_) * kLeaf, last = std::min(first + kLeaf, order_.size());
     for (std::size_t i = first; i < last; ++i) f(order_[i]);
+  }
+}
+
+template <class F>
+void TriangleTree::pairWith(std::size_t leaf, std::size_t later, const std::array<Box, kLeaf>& boxes,
+                            F&& f) const {
+  const std::size_t end = std::min((leaf + 1) * kLeaf, order_.size()),
+                    laterEnd = std::min((later + 1) * kLeaf, order_.size());
+  for (std::size_t j = later * kLeaf; j < laterEnd; ++j) {
+    const Box box = boxOf(j);
+    for (std::size_t i = leaf * kLeaf; i < std::min(end, j); ++i)
+      if (overlap(boxes[i % kLeaf], box)) f(order_[i], order_[j]);
+  }
+}
+
+template <class F>
+void TriangleTree::forEachPair(std::size_t leaf, F&& f) const {
+  std::array<Box, kLeaf> boxes;
+  for (std::size_t i = leaf * kLeaf; i < std::min((leaf + 1) * kLeaf, order_.size()); ++i)
+    boxes[i % kLeaf] = boxOf(i);
+  std::array<std::size_t, 64> stack;  // one per level is enough
+  std::size_t depth = 0;
+  stack[depth++] = 1;
+  while (depth > 0) {
+    const std::size_t node = stack[--depth];
+    if (lastLeaf(node) < leaf || !overlap(boxes_[node], boxes_[leaves_ + leaf])) continue;
+    if (node >= leaves_) {
+      pairWith(leaf, node - leaves_, boxes, f);
+    } else {
+      stack[depth++] = 2 * node + 1;
+      stack[depth++] = 2 * node;
+    }
   }
 }
 
