@@ -12,12 +12,13 @@ void LightRefiner::begin(const EnteringLight& entering, const GpuSkin& surface, 
   asked_ = light;
   const auto spread = std::make_shared<Spread>();
   spread->light = light;
+  const auto entered = std::make_shared<EnteredLight>(
+      EnteredLight{gl::readTexels(entering.irradiance()), gl::readTexels(entering.thinness())});
   worker_->replace(
       {"Refining light",
-       [spread, kept = kept_, surface = surface.surface(), profile = entering.material().diffusion,
-        thin = entering.look().skin.thinModel, irradiance = gl::readTexels(entering.irradiance()),
-        thinness = gl::readTexels(entering.thinness())](const Progress& progress) {
-         spread->spread = spreadByPoints(surface, profile, thin, {irradiance, &thinness}, *kept, progress);
+       [spread, entered, kept = kept_, surface = surface.surface(), profile = entering.material().diffusion,
+        thin = entering.look().skin.thinModel](const Progress& progress) {
+         spread->spread = spreadByPoints(surface, profile, thin, std::move(*entered), *kept, progress);
        },
        [this, spread] { ready_ = std::move(*spread); }});
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <ranges>
 
 #include "core/base/error.h"
 #include "core/base/parallel_blocks.h"
@@ -23,7 +24,7 @@ constexpr std::size_t kPerTask = 16384;     // texels or samples
 // What is entered at a place of the atlas; thinness in a.
 glm::vec4 lightAt(const EnteredLight& entered, const glm::ivec2& size, const glm::vec2& place) {
   return {readAtlas(entered.irradiance, size, place),
-          entered.thinness ? readAtlas(*entered.thinness, size, place).r : 1};
+          entered.thinness.empty() ? 1 : readAtlas(entered.thinness, size, place).r};
 }
 
 glm::vec2 middleOf(std::uint32_t texel, const glm::ivec2& size) {
@@ -45,7 +46,7 @@ struct Lattice {
 struct BlockDiffusion::State {
   State(std::shared_ptr<const SkinSurface> s, const GaussianSum& p, const Progress& progress);
 
-  std::vector<glm::vec4> diffuse(const EnteredLight& light, const SpreadWeights& weights,
+  std::vector<glm::vec4> diffuse(EnteredLight light, const SpreadWeights& weights,
                                  const Progress& progress) const;
   std::vector<glm::vec4> lightOfSamples(const EnteredLight& light) const;
   AreaPoints sample(const Progress& progress);
@@ -167,10 +168,12 @@ std::vector<glm::vec4> BlockDiffusion::State::lightOfSamples(const EnteredLight&
 }
 
 // Levels at the same places are summed there before texels read between them.
-std::vector<glm::vec4> BlockDiffusion::State::diffuse(const EnteredLight& entered,
-                                                      const SpreadWeights& weights,
+std::vector<glm::vec4> BlockDiffusion::State::diffuse(EnteredLight entered, const SpreadWeights& weights,
                                                       const Progress& progress) const {
   const std::vector<glm::vec4> ofSamples = lightOfSamples(entered);
+  const auto isLeft = [&](std::size_t i) { return asked[i].nowhere() && weights[i] != glm::vec4(0); };
+  const auto numbers = std::views::iota(std::size_t(0), asked.size());
+  if (std::ranges::none_of(numbers, isLeft)) entered = {};  // the map will need as much memory
   std::vector<glm::vec4> light(shown.size(), glm::vec4(0)), atPlaces;
   const Lattice* lattice = nullptr;
   const auto readPlaces = [&] {
@@ -250,14 +253,14 @@ std::size_t BlockDiffusion::bytes() const {
 }
 
 std::vector<glm::vec4> diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
-                                       const EnteredLight& light, const SpreadWeights& weights,
-                                       BlockDiffusion& kept, const Progress& progress) {
+                                       EnteredLight light, const SpreadWeights& weights, BlockDiffusion& kept,
+                                       const Progress& progress) {
   const std::size_t texels = surface->maps.position.size();
-  require(light.irradiance.size() == texels && (!light.thinness || light.thinness->size() == texels),
+  require(light.irradiance.size() == texels && (light.thinness.empty() || light.thinness.size() == texels),
           "Every texel of the atlas needs an irradiance.");
   if (!kept.state || kept.state->surface != surface || kept.state->profile.variances != profile.variances)
     kept.state = std::make_unique<BlockDiffusion::State>(std::move(surface), profile, progress.part(0, 0.4));
-  return kept.state->diffuse(light, weights, progress.part(0.4, 1));
+  return kept.state->diffuse(std::move(light), weights, progress.part(0.4, 1));
 }
 
 SpreadWeights levelWeights(int level) {

@@ -29,10 +29,9 @@ class BlockDiffusion {
 // EnteredLight: maps over an atlas that are to be spread.
 //   irradiance   per texel, linear, premultiplied by its coverage
 //   thinness     per texel in r, premultiplied by its coverage in a: of thin parts, a value that is spread beside the light
-//                (render/skin, EnteringLight::thinness); none: 1 everywhere
+//                (render/skin, EnteringLight::thinness); empty: 1 everywhere
 struct EnteredLight {
-  const std::vector<glm::vec4>& irradiance;
-  const std::vector<glm::vec4>* thinness = nullptr;
+  std::vector<glm::vec4> irradiance, thinness{};
 };
 
 // SpreadWeights: what levels 1 to 6 count for in a sum of them: rgb of light, a of the thinness.
@@ -49,8 +48,8 @@ using SpreadWeights = std::array<glm::vec4, PointDiffusion::kSmooth>;
 //            leave the light as it is, too.
 //   errors   Error: not one irradiance per texel; Cancelled
 std::vector<glm::vec4> diffuseInBlocks(std::shared_ptr<const SkinSurface> surface, const GaussianSum& profile,
-                                       const EnteredLight& light, const SpreadWeights& weights,
-                                       BlockDiffusion& kept, const Progress& progress = {});
+                                       EnteredLight light, const SpreadWeights& weights, BlockDiffusion& kept,
+                                       const Progress& progress = {});
 
 // levelWeights: of one level alone. sumWeights: of a profile, for the light of its levels 1 to 5 and smooth thinness.
 SpreadWeights levelWeights(int level);

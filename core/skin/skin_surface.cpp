@@ -114,7 +114,7 @@ SkinQuality fullQuality() { return {}; }
 SkinQuality pictureQuality() {
   SkinQuality quality = fullQuality();
   quality.diffusion = DiffusionMethod::points;
-  quality.skirt = 4.5;  // only depths are blurred, by 1.41 mm at most
+  quality.skirt = 0;  // points need none
   quality.texels = 4e6;
   return quality;
 }

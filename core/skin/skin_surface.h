@@ -13,11 +13,11 @@ namespace sonoskin {
 // SkinQuality: what pictures of skin may cost.
 //   triangles       the mesh is reduced to about so many; 0: all are kept
 //   texel           mm of a body; larger and smaller objects are shown with larger and smaller ones, see `texels`
-//   texels          at most in all, gaps between charts included: 200 bytes each while a picture is made. 4 million
+//   texels          at most in all, gaps between charts included: 150 bytes each while a picture is made. 4 million
 //                   are enough for 0.15 mm on 270 cm² of skin, more than any scan shows, and for 0.3 mm on any head
 //   skirt           mm: how much of the surface beyond a chart is drawn beside it for blurs to find: three widths of the
 //                   widest blur make 8; 5 cost 0.0005 of its red on average          [theory/skin.md, 3.2, step 6]
-//   shadowSize      texels along the side of each light's depth map
+//   shadowSize      texels along the side of each light's depth map, at most: twice as fine as the atlas is enough
 //   shadowTaps      looks into it per texel
 //   detailLayers    of pores and lines, 0 to 2
 //   diffusion       by whom light is spread, at least: an atlas that cannot be blurred has it from point to point

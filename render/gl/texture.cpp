@@ -23,6 +23,8 @@ FormatInfo info(Format format) {
       return {GL_R16, GL_RED, GL_UNSIGNED_SHORT};
     case Format::r32f:
       return {GL_R32F, GL_RED, GL_FLOAT};
+    case Format::rg16:
+      return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT};
     case Format::rg16f:
       return {GL_RG16F, GL_RG, GL_FLOAT};
     case Format::rg32f:

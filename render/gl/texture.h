@@ -7,7 +7,7 @@
 namespace sonoskin::gl {
 
 // Format: what a texel holds.
-enum class Format { r8, r16, r32f, rg16f, rg32f, rgba8, rgba16f, rgba32f, depth32f };
+enum class Format { r8, r16, r32f, rg16, rg16f, rg32f, rgba8, rgba16f, rgba32f, depth32f };
 enum class Filter { nearest, linear };
 enum class Wrap {
   clampToEdge,
@@ -34,7 +34,7 @@ class Texture {
   explicit Texture(const TextureDescription& description);
 
   // upload: replaces all texels by tightly packed values, x fastest, of the kind the format names:
-  // r8, rgba8: bytes; r16: 16-bit; the others: 32-bit floats.
+  // r8, rgba8: bytes; r16, rg16: 16-bit; the others: 32-bit floats.
   void upload(const void* texels);
   // uploadSlices: the same for some slices of a 3D texture alone; `texels` begin with those.
   void uploadSlices(int first, int count, const void* texels);

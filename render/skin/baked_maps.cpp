@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/gl/read_pixels.h"
 #include "render/skin/detail_tile.h"
 #include "render/skin/gpu_skin.h"
@@ -11,6 +13,9 @@
 
 namespace sonoskin {
 namespace {
+
+constexpr double kSkirt =
+    4.5;  // mm: coarser copies of the pictures, as viewers make them, read beyond charts
 
 enum class BakedMap { colour, finish, normals, light };
 
@@ -81,7 +86,9 @@ TexturedMesh bakeSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, co
                       const BakeOptions& bake, const PictureOptions& options, const Progress& progress) {
   const Box box = boundingBox(mesh->positions);
   const HomeFrame home = homeFrame(parseCamera("probe", options.beam, box, 1));
-  const auto surface = prepareSkin(std::move(mesh), home.back, bake.quality, progress.part(0, 0.8));
+  SkinQuality quality = bake.quality;
+  quality.skirt = std::max(quality.skirt, kSkirt);
+  const auto surface = prepareSkin(std::move(mesh), home.back, quality, progress.part(0, 0.8));
   context.makeCurrent();
   GpuSkin gpu;
   gpu.set(surface);

@@ -76,11 +76,10 @@ void Diffuser::run(const GpuSkin& surface, const EnteringLight& light, const Pro
 }
 
 void Diffuser::spreadPoints(const GpuSkin& surface, const EnteringLight& light, const Progress& progress) {
-  const std::vector<glm::vec4> irradiance = gl::readTexels(light.irradiance()),
-                               thinness = gl::readTexels(light.thinness());
   levels_.forget();
   set(spreadByPoints(surface.surface(), light.material().diffusion, light.look().skin.thinModel,
-                     {irradiance, &thinness}, points_, progress),
+                     {gl::readTexels(light.irradiance()), gl::readTexels(light.thinness())}, points_,
+                     progress),
       light);
 }
 
@@ -104,9 +103,8 @@ void Diffuser::set(const PointsLight& spread, const EnteringLight& light) {
 
 void Diffuser::drawLevel(const GpuSkin& surface, const EnteringLight& light, int level) {
   if (levels_.has(level)) return;
-  const std::vector<glm::vec4> irradiance = gl::readTexels(light.irradiance());
-  levels_.set(level, diffuseInBlocks(surface.surface(), light.material().diffusion, {irradiance},
-                                     levelWeights(level), points_));
+  levels_.set(level, diffuseInBlocks(surface.surface(), light.material().diffusion,
+                                     {gl::readTexels(light.irradiance())}, levelWeights(level), points_));
 }
 
 void Diffuser::integrate(const GpuSkin& surface, const EnteringLight& light, const Progress& progress) {
@@ -120,6 +118,12 @@ void Diffuser::take(const GpuSkin& surface, const EnteringLight& light, const Po
   set(spread, light);
   method_ = DiffusionMethod::points;
   sum(surface, light);
+}
+
+void Diffuser::giveBack() {
+  levels_.reset(sum_.size());
+  for (gl::Framebuffer* map : {&thin_[0], &thin_[1], &thin_[2], &through_, &byPoints_}) map->fit({1, 1});
+  points_ = {};
 }
 
 bool Diffuser::firstIsLeft(const EnteringLight& light) const {

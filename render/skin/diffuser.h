@@ -43,6 +43,9 @@ class Diffuser {
   // of what was begun.
   void take(const GpuSkin& surface, const EnteringLight& light, const PointsLight& spread);
 
+  // giveBack: the memory of all but the result. Afterwards no light can be spread, nor a level or `through` be drawn.
+  void giveBack();
+
   // method: by which the light was spread last.
   DiffusionMethod method() const { return method_; }
   SpreadLight result() const { return {sum_.colour(), firstWeight_}; }

@@ -117,6 +117,15 @@ void EnteringLight::drawIrradiance(const GpuSkin& surface) {
   surface.parts().drawAtlas();
 }
 
+void EnteringLight::giveBackMaps() {
+  if (look_.skin.thinModel == ThinModel::slab) lightMaps_.giveBack();
+}
+
+void EnteringLight::giveBackLight() {
+  lightMaps_.giveBack();
+  irradiance_.fit({1, 1});
+}
+
 void EnteringLight::set(const std::vector<glm::vec4>& irradiance) {
   material_.clear(glm::vec4(1));
   irradiance_.clear({});

@@ -31,6 +31,10 @@ class EnteringLight {
   void drawLightMap(const GpuSkin& surface, std::size_t light);
   void drawVisibility(const GpuSkin& surface, std::size_t light);
   void drawIrradiance(const GpuSkin& surface);
+  // giveBackMaps: the memory of depth maps, which only visibility and ThinModel::gaussians read. giveBackLight: also that of
+  // the irradiance. Afterwards no pass can be drawn.
+  void giveBackMaps();
+  void giveBackLight();
   // set: a given irradiance in place of what the passes draw, on white skin.
   //   irradiance   per texel, linear RGB premultiplied by coverage in a
   void set(const std::vector<glm::vec4>& irradiance);

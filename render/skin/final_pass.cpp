@@ -81,11 +81,6 @@ ShownMap shownMap(const SkinViewInput& input, const LightPasses& light, const gl
   }
 }
 
-// PixelRect: a rectangle of pixels; the end is outside.
-struct PixelRect {
-  glm::ivec2 first{0}, end{0};
-};
-
 PixelRect shownColumns(glm::ivec2 size, glm::vec2 share) {
   const glm::ivec2 columns(glm::round(share * float(size.x)));
   return {{columns.x, 0}, {columns.y, size.y}};
@@ -113,11 +108,20 @@ void cutTo(const PixelRect& part, glm::ivec2 corner = {0, 0}) {
   glScissor(corner.x + part.first.x, corner.y + part.first.y, size.x, size.y);
 }
 
+constexpr int kBandRows = 160;  // of a picture, whose samples are drawn at a time
+
 }  // namespace
+
+bool showsMap(SkinPass pass) { return finalVariant(pass) < 0; }
+
+void FinalPass::Canvas::bind(const gl::Framebuffer& to, glm::ivec2 first) const {
+  to.bind();
+  glViewport(-first.x, -first.y, size.x, size.y);
+}
 
 FinalPass::FinalPass()
     : surfaceProgram_({"skin/surface.vert", "skin/surface.frag"}),
-      surface_(surfaceTexels({gl::Format::rg32f})),
+      surface_(surfaceTexels({gl::Format::rg16})),
       samples_({.size = {1, 1}, .colours = {gl::Format::rgba16f}}),
       backdrop_({.size = {1, 1}}),
       detail_(makeDetailTile()),
@@ -141,22 +145,23 @@ void FinalPass::copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm
                          first.x, first.y, end.x, end.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void FinalPass::drawSurface(const SkinViewInput& input, glm::ivec2 size, const glm::mat4& projection) {
-  surface_.fit(size);
+void FinalPass::drawSurface(const SkinViewInput& input, const Canvas& canvas) {
+  const PixelRect& kept = canvas.kept;
+  surface_.fit(glm::max(kept.end - kept.first, glm::ivec2(1)));
   surface_.clearDepth();  // what is read of the colours has been drawn
-  surface_.bind();
-  cutTo(shownColumns(size, input.shownPart));
+  canvas.bind(surface_, kept.first);
+  cutTo({canvas.part.first - kept.first, canvas.part.end - kept.first});
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   surfaceProgram_.use();
-  surfaceProgram_.set("viewProjection", projection * input.camera.view());
+  surfaceProgram_.set("viewProjection", canvas.projection * input.camera.view());
   input.surface.parts().draw();
 }
 
-void FinalPass::shade(const SkinViewInput& input, const LightPasses& light, glm::ivec2 size,
-                      const glm::mat4& projection) {
+void FinalPass::shade(const SkinViewInput& input, const LightPasses& light, const Canvas& canvas,
+                      glm::ivec2 first) {
   const EnteringLight& entering = light.entering();
   const SpreadLight spread = light.diffuser().result();
   std::vector<std::string> defines{
@@ -180,18 +185,19 @@ void FinalPass::shade(const SkinViewInput& input, const LightPasses& light, glm:
   // The second layer is the tile made larger; its slopes stay the same.
   p.set("lostSlope", glm::vec2(detail_.meanSlope));
   p.set("detail", float(input.look.skin.detail));
-  p.set("pixelLength", input.camera.millimetresPerPixel(size.y) / input.camera.distance);
+  p.set("toSurface", first - canvas.kept.first);
+  p.set("pixelLength", input.camera.millimetresPerPixel(canvas.size.y) / input.camera.distance);
   p.set("mixBefore", float(input.look.skin.mix));
   p.set("exposure", input.look.lights.exposure);
   p.set("firstWeight", spread.firstWeight);
   p.set("unseenShade", input.unseenShade);
   p.set("insideColour", insideColour(input.look.lights));
   entering.lightMaps().setLights(p, input.look.lights);
-  setScreen(p, input.camera, float(size.x) / float(size.y), projection);
+  setScreen(p, input.camera, float(canvas.size.x) / float(canvas.size.y), canvas.projection);
   gl::drawFullScreen();
 }
 
-void FinalPass::showMap(const SkinViewInput& input, const LightPasses& light) {
+void FinalPass::showMap(const SkinViewInput& input, const LightPasses& light, glm::ivec2 toSurface) {
   const GpuSkin::Parts& parts = input.surface.parts();
   if (input.pass == SkinPass::charts && chartsOf_ != parts.number) {
     charts_ = chartNumbers(*parts.surface);
@@ -205,54 +211,76 @@ void FinalPass::showMap(const SkinViewInput& input, const LightPasses& light) {
   bindTo(p, "placeMap", 1, surface_.colour(1));
   bindTo(p, "depthMap", 2, surface_.depth());
   bindTo(p, "map", 3, *shown.texture);
+  p.set("toSurface", toSurface);
   p.set("channel", shown.channel);
   p.set("scale", shown.scale);
   gl::drawFullScreen();
 }
 
 void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::Target& target) {
-  const glm::ivec2 size = target.size * input.supersampling;
-  const glm::mat4 projection =
-      input.camera.projection(float(target.size.x) / float(target.size.y), input.surface.box());
+  Canvas canvas{target.size * input.supersampling,
+                input.camera.projection(float(target.size.x) / float(target.size.y), input.surface.box())};
+  const PixelRect columns = shownColumns(canvas.size, input.shownPart);
+  canvas.part = pixelsOf(input.surface.box(), canvas.projection * input.camera.view(), canvas.size);
+  canvas.part.first = glm::max(canvas.part.first, columns.first);
+  canvas.part.end = glm::min(canvas.part.end, columns.end);
+  // Buffers that follow the mouse keep their size.
+  canvas.kept = input.supersampling > 1 ? canvas.part : PixelRect{{0, 0}, canvas.size};
   // Some maps are drawn when they are looked at: before the target is bound.
   if (input.pass == SkinPass::through) light.drawThrough(input.surface);
   if (const int level = levelShown(input.pass)) light.drawLevel(input.surface, level);
-  drawSurface(input, size, projection);
+  drawSurface(input, canvas);
   const Lighting studio = portraitLighting(input.camera);
-  const Backdrop backdrop{size, studio.backgroundTop, studio.backgroundBottom};
-  const PixelRect columns = shownColumns(size, input.shownPart);
-  glm::ivec2 corner(0);
+  const Backdrop backdrop{canvas.size, studio.backgroundTop, studio.backgroundBottom};
   if (input.supersampling > 1) {
-    samples_.fit(size);
-    samples_.clear({});
-    samples_.bind();
-  } else {
-    copyBackdrop(backdrop, target, input.shownPart);
-    target.bind();
-    corner = target.corner;
+    drawInBands(input, light, canvas, backdrop, target);
+    return;
   }
-  PixelRect part = pixelsOf(input.surface.box(), projection * input.camera.view(), size);
-  part.first = glm::max(part.first, columns.first);
-  part.end = glm::min(part.end, columns.end);
-  cutTo(part, corner);
-  if (finalVariant(input.pass) < 0) {
-    showMap(input, light);
-  } else {
-    shade(input, light, size, projection);
-  }
-  if (input.supersampling > 1) resolve(input, backdrop, projection * input.camera.view(), target);
+  copyBackdrop(backdrop, target, input.shownPart);
+  target.bind();
+  cutTo(canvas.part, target.corner);
+  colour(input, light, canvas, -target.corner);
 }
 
-void FinalPass::resolve(const SkinViewInput& input, const Backdrop& backdrop, const glm::mat4& viewProjection,
-                        const gl::Target& target) {
+void FinalPass::colour(const SkinViewInput& input, const LightPasses& light, const Canvas& canvas,
+                       glm::ivec2 first) {
+  if (showsMap(input.pass))
+    showMap(input, light, first - canvas.kept.first);
+  else
+    shade(input, light, canvas, first);
+}
+
+// All samples of a picture at once would take more memory than the skin.
+void FinalPass::drawInBands(const SkinViewInput& input, const LightPasses& light, const Canvas& canvas,
+                            const Backdrop& backdrop, const gl::Target& target) {
+  const glm::mat4 viewProjection = canvas.projection * input.camera.view();
   const gl::Texture& outline =
-      outline_.draw(samples_.size(), viewProjection, [&] { input.surface.parts().draw(); });
+      outline_.draw(canvas.size, viewProjection, [&] { input.surface.parts().draw(); });
+  const int rows = kBandRows * input.supersampling;
+  samples_.fit({canvas.size.x, std::min(rows, canvas.size.y)});
+  for (int first = 0; first < canvas.size.y; first += rows) {
+    const PixelRect band{{canvas.part.first.x, std::max(canvas.part.first.y - first, 0)},
+                         {canvas.part.end.x, std::min(canvas.part.end.y - first, samples_.size().y)}};
+    samples_.clear({});
+    canvas.bind(samples_, {0, first});
+    cutTo(band);
+    colour(input, light, canvas, {0, first});
+    resolve(input, backdrop, outline, first / input.supersampling, target);
+  }
+}
+
+void FinalPass::resolve(const SkinViewInput& input, const Backdrop& backdrop, const gl::Texture& outline,
+                        int firstRow, const gl::Target& target) {
   target.bind();
-  cutTo(shownColumns(target.size, input.shownPart), target.corner);
+  PixelRect part = shownColumns(target.size, input.shownPart);
+  part.first.y = firstRow;
+  part.end.y = std::min(firstRow + kBandRows, target.size.y);
+  cutTo(part, target.corner);
   gl::Program& p = programs_.use("skin/resolve.frag", {});
   bindTo(p, "samples", 0, samples_.colour());
   bindTo(p, "outlineMap", 1, outline);
   p.set("perSide", input.supersampling);
+  p.set("firstRow", firstRow);
   p.set("backgroundTop", backdrop.top);
   p.set("backgroundBottom", backdrop.bottom);
   gl::drawFullScreen();

@@ -106,6 +106,15 @@ void GpuSkin::set(std::shared_ptr<const SkinSurface> surface) {
   }
 }
 
+void GpuSkin::giveBackSky() {
+  for (gl::Texture* map : {&parts_->open, &parts_->stretch}) *map = gl::Texture();
+}
+
+void GpuSkin::giveBackMaps() {
+  for (gl::Texture* map : {&parts_->position, &parts_->normal, &parts_->open, &parts_->stretch})
+    *map = gl::Texture();
+}
+
 void GpuSkin::Parts::upload() {
   vertexArray.reset();
   covered.array.reset();
@@ -187,10 +196,10 @@ void GpuSkin::Parts::Drawn::draw() const {
 
 std::size_t GpuSkin::Parts::bytes() const {
   if (!surface) return 0;
-  constexpr std::size_t kTexel = 16 + 8 + 8 + 4;
-  return std::size_t(surface->maps.size.x) * std::size_t(surface->maps.size.y) * kTexel + positions.bytes() +
-         normals.bytes() + uvs.bytes() + indices.bytes() + hidden.positions.bytes() + hidden.normals.bytes() +
-         hidden.indices.bytes();
+  const std::size_t perTexel = position ? 16 + 8 + 8 + 4 : 0;
+  return std::size_t(surface->maps.size.x) * std::size_t(surface->maps.size.y) * perTexel +
+         positions.bytes() + normals.bytes() + uvs.bytes() + indices.bytes() + hidden.positions.bytes() +
+         hidden.normals.bytes() + hidden.indices.bytes();
 }
 
 gl::Texture chartNumbers(const SkinSurface& surface) {

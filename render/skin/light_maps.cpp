@@ -31,6 +31,14 @@ glm::mat4 lampView(const SkinLight& lamp, const Box& box, glm::vec2& terms, floa
   return projection * glm::lookAt(lamp.position, lamp.position + forward, up);
 }
 
+// Texels along the side of a map `width` mm wide over an atlas with texels of `texel` mm.
+int mapSize(float width, float texel, int most) {
+  constexpr float kPerTexel = 2;
+  constexpr int kStep = 64;
+  const float enough = kPerTexel * width / texel;
+  return enough < float(most) ? std::min((int(enough) / kStep + 1) * kStep, most) : most;
+}
+
 }  // namespace
 
 std::string kindDefine(const LightRig& lights) { return fmt::format("KIND {}", int(lights.lights[0].kind)); }
@@ -44,7 +52,7 @@ LightMaps::LightMaps()
     map.target = gl::Framebuffer(depths);
   }
   // Of light 0 alone: where it enters.
-  depths.colours = {gl::Format::rg32f};
+  depths.colours = {gl::Format::rg16};
   maps_[0].target = gl::Framebuffer(depths);
 }
 
@@ -70,14 +78,11 @@ void LightMaps::drawFacing(const GpuSkin& surface, const glm::mat4& view, unsign
   glDisable(GL_CULL_FACE);
 }
 
-void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int size) {
+void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int most) {
   const SkinLight light = lights.light(i);
   Map& map = maps_[i];
   const bool comesThrough = light.shadows && i == 0;
-  map.target.fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
-  map.exits.fit(comesThrough ? glm::ivec2(size) : glm::ivec2(1));
-  if (!light.shadows) return;
-  glm::mat4 view;
+  glm::mat4 view(1);
   float width = 1;
   if (light.kind == LightKind::far) {
     const LightView far(light.position, surface.box());
@@ -87,10 +92,19 @@ void LightMaps::draw(const GpuSkin& surface, const LightRig& lights, std::size_t
   } else {
     view = lampView(light, surface.box(), map.terms, width);
   }
+  const int size = mapSize(width, surface.surface()->atlas.texel, most);
+  map.target.fit(light.shadows ? glm::ivec2(size) : glm::ivec2(1));
+  map.exits.fit(comesThrough ? glm::ivec2(size) : glm::ivec2(1));
+  if (!light.shadows) return;
   map.texel = width / float(size);
   map.toMap = glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f)) * view;
   drawFacing(surface, view, GL_BACK, map.target);
   if (comesThrough) drawFacing(surface, view, GL_FRONT, map.exits);
+}
+
+void LightMaps::giveBack() {
+  for (Map& map : maps_)
+    for (gl::Framebuffer* f : {&map.target, &map.exits}) f->fit({1, 1});
 }
 
 void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
@@ -115,7 +129,7 @@ void LightMaps::setLights(gl::Program& program, const LightRig& lights) const {
 std::size_t LightMaps::bytes() const {
   std::size_t sum = 0;
   for (const Map& map : maps_) sum += map.target.texels() * 4 + map.exits.texels() * 4;
-  return sum + maps_[0].target.texels() * 8;
+  return sum + maps_[0].target.texels() * 4;
 }
 
 }  // namespace sonoskin

@@ -17,8 +17,10 @@ class LightMaps {
  public:
   LightMaps();
 
-  // draw: the map of light number i, of `size` texels a side.
-  void draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int size);
+  // draw: the map of light number i, of `most` texels a side, or so many that two lie along one of the atlas.
+  void draw(const GpuSkin& surface, const LightRig& lights, std::size_t i, int most);
+  // giveBack: the memory of all of them; what setLights has stays.
+  void giveBack();
   // setLights: the uniforms of shaders/skin/lights.glsl.
   void setLights(gl::Program& program, const LightRig& lights) const;
   const gl::Texture& depth(std::size_t light) const { return maps_[light].target.depth(); }

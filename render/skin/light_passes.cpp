@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include "core/base/free_memory.h"
 #include "render/skin/gpu_skin.h"
 
 namespace sonoskin {
@@ -27,6 +28,19 @@ void LightPasses::begin(const GpuSkin& surface, const SkinLook& look, const Skin
           : keys.lights != done_.lights         ? kLightMaps
           : keys.irradiance != done_.irradiance ? kIrradiance
                                                 : kDiffusion;
+}
+
+void LightPasses::giveBack(GpuSkin& surface) {
+  if (next_ != kDiffusion && !finished()) return;
+  entering_.giveBackMaps();
+  if (diffuser_.method() != DiffusionMethod::blurs) surface.giveBackSky();
+  if (finished()) {
+    entering_.giveBackLight();
+    diffuser_.giveBack();
+    surface.giveBackMaps();
+  }
+  glFinish();  // drivers keep what passes under way still read
+  returnFreeMemory();
 }
 
 void LightPasses::spread(const GpuSkin& surface, const SkinOptions& skin,

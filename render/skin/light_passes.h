@@ -20,6 +20,9 @@ class LightPasses {
   // step: runs the next pass; false when nothing was left to do.
   //   progress   of what the CPU spreads
   bool step(const GpuSkin& surface, const Progress& progress = {});
+  // giveBack: the memory of what no later pass of this light reads, the surface's maps among it; once the light is finished
+  // only its picture can be drawn (FinalPass), and no other light begun.
+  void giveBack(GpuSkin& surface);
   // shows: whether the finished light is that of a look, and spread at least as well as asked for.
   bool shows(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality) const;
 

@@ -15,11 +15,11 @@ std::vector<glm::vec4> thinnessAfter(int level, const std::shared_ptr<const Skin
 }  // namespace
 
 PointsLight spreadByPoints(const std::shared_ptr<const SkinSurface>& surface, const GaussianSum& profile,
-                           ThinModel thin, const EnteredLight& light, BlockDiffusion& kept,
+                           ThinModel thin, EnteredLight light, BlockDiffusion& kept,
                            const Progress& progress) {
   PointsLight spread;
   if (thin == ThinModel::slab) {
-    spread.sum = diffuseInBlocks(surface, profile, light, sumWeights(profile), kept, progress);
+    spread.sum = diffuseInBlocks(surface, profile, std::move(light), sumWeights(profile), kept, progress);
     return spread;
   }
   spread.levels = levelsInBlocks(surface, profile, {light.irradiance}, kept, progress.part(0, 0.7));

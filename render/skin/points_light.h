@@ -19,7 +19,7 @@ struct PointsLight {
 
 // spreadByPoints: by diffuseInBlocks.
 PointsLight spreadByPoints(const std::shared_ptr<const SkinSurface>& surface, const GaussianSum& profile,
-                           ThinModel thin, const EnteredLight& light, BlockDiffusion& kept,
+                           ThinModel thin, EnteredLight light, BlockDiffusion& kept,
                            const Progress& progress = {});
 
 }  // namespace sonoskin

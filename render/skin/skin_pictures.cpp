@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/free_memory.h"
 #include "core/skin/skin_material.h"
 #include "render/gl/read_pixels.h"
 
@@ -63,8 +64,13 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   GpuSkin gpu;
   gpu.set(surface);
   if (!integrates) surface->keepForLight();
+  returnFreeMemory();
   SkinView view;
-  view.relight(gpu, skin, look.quality, progress.part(integrates ? 0.1 : 0.8, 0.95));
+  const Progress lit = progress.part(integrates ? 0.1 : 0.8, 0.95);
+  if (showsMap(look.pass))
+    view.relight(gpu, skin, look.quality, lit);
+  else
+    view.relightOnce(gpu, skin, look.quality, lit);
   const gl::Framebuffer picture({.size = options.size});
   view.draw({.surface = gpu,
              .camera = camera,

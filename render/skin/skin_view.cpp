@@ -46,6 +46,15 @@ void SkinView::relight(const GpuSkin& surface, const SkinLook& look, const SkinQ
   }
 }
 
+void SkinView::relightOnce(GpuSkin& surface, const SkinLook& look, const SkinQuality& quality,
+                           const Progress& progress) {
+  while (!state_->light.shows(surface, look, quality)) {
+    state_->light.begin(surface, look, quality);
+    state_->light.step(surface, progress);
+    state_->light.giveBack(surface);
+  }
+}
+
 LightPasses& SkinView::light() { return state_->light; }
 const LightPasses& SkinView::light() const { return state_->light; }
 

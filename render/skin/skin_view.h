@@ -40,6 +40,9 @@ constexpr std::array<const char*, 19> enumNames(SkinPass) {
           "occlusion", "normal",     "curvature",  "stretch",  "charts"};
 }
 
+// showsMap: whether a pass shows a map that light leaves on the surface, and not what the camera sees of it.
+bool showsMap(SkinPass pass);
+
 // SkinLook: everything about the skin's appearance but the surface and the camera.
 struct SkinLook {
   SkinOptions skin;
@@ -60,6 +63,11 @@ class GpuSkin {
   void set(std::shared_ptr<const SkinSurface> surface);
   const std::shared_ptr<const SkinSurface>& surface() const;
   const Box& box() const;
+
+  // giveBackSky: the memory of what neither points nor the sum of their light read. giveBackMaps: that of all maps: the
+  // triangles alone can be drawn then.
+  void giveBackSky();
+  void giveBackMaps();
 
   struct Parts;  // for the passes alone
   const Parts& parts() const { return *parts_; }
@@ -114,6 +122,10 @@ class SkinView {
   //   errors   Cancelled
   void relight(const GpuSkin& surface, const SkinLook& look, const SkinQuality& quality,
                const Progress& progress = {});
+  // relightOnce: the same for one picture: memory is given back as soon as no later pass needs it, the surface's maps among
+  // it. Then draw shows this light alone, and no pass that showsMap.
+  void relightOnce(GpuSkin& surface, const SkinLook& look, const SkinQuality& quality,
+                   const Progress& progress = {});
   // light: the passes and their maps (render/skin/light_passes.h).
   LightPasses& light();
   const LightPasses& light() const;

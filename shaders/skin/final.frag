@@ -15,6 +15,7 @@
 in vec2 uv;
 
 uniform sampler2D surfaceMap, placeMap, depthMap;
+uniform ivec2 toSurface;       // from a pixel that is drawn to that of the surface
 uniform sampler2D diffusedMap, visibilityMap, albedoMap, finishMap;
 uniform float detail;          // factor
 uniform float pixelLength;     // mm per pixel and mm of distance
@@ -80,7 +81,7 @@ vec3 shade(vec3 p, vec3 smoothNormal, vec2 place, bool inner) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 texel = ivec2(gl_FragCoord.xy) + toSurface;
   float depth = texelFetch(depthMap, texel, 0).r;
   if (depth == 1.0) discard;  // the background is there already
   vec4 surface = texelFetch(surfaceMap, texel, 0);

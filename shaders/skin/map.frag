@@ -4,6 +4,7 @@
 #include "surface/buffer.glsl"
 
 uniform sampler2D surfaceMap, placeMap, depthMap;
+uniform ivec2 toSurface;       // from a pixel that is drawn to that of the surface
 uniform sampler2D map;
 uniform int channel;
 uniform float scale;
@@ -35,7 +36,7 @@ vec3 shownOf(vec4 value) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 texel = ivec2(gl_FragCoord.xy) + toSurface;
   if (texelFetch(depthMap, texel, 0).r == 1.0) discard;  // the background is there already
   vec3 shown = shownOf(textureLod(map, texelFetch(placeMap, texel, 0).rg, 0.0));
   if (isInner(texelFetch(surfaceMap, texel, 0).w)) shown *= 0.35;

@@ -8,11 +8,12 @@ in vec2 uv;
 
 uniform sampler2D samples;  // a: 1 where the surface is, else 0
 uniform int perSide;
+uniform int firstRow;       // of the pixels whose samples these are
 
 layout(location = 0) out vec4 colour;
 
 void main() {
-  ivec2 first = ivec2(gl_FragCoord.xy) * perSide;
+  ivec2 first = (ivec2(gl_FragCoord.xy) - ivec2(0, firstRow)) * perSide;
   vec4 sum = vec4(0.0);
   for (int i = 0; i < perSide * perSide; ++i)
     sum += texelFetch(samples, first + ivec2(i % perSide, i / perSide), 0);

@@ -73,11 +73,11 @@ float thickness(vec3 p, vec3 n, vec3 l) {
   float opposite = -dot(facingIn, n);
   float slant = mix(1.0, clamp(facing, 0.0, 1.0), clamp(opposite, 0.0, 1.0));
   float here = mapDistance(LIGHT, place.z), width = lights[LIGHT].texel * float(textureSize(depthMap, 0).x);
-  float sum = 0.0;
+  float sum = 0.0, lift = lights[LIGHT].texel * facing;  // how far before p the look is
   for (int k = 0; k < kLooks; ++k) {
     vec2 near = place.xy + 1.0 / width * discPoint(k, kLooks, 0.0);
     float depth = textureLod(depthMap, near, 0.0).r;
-    float d = max(here - mapDistance(LIGHT, depth), 0.0) * slant;
+    float d = max(here + lift - mapDistance(LIGHT, depth), 0.0) * slant;
     float apart = here - mapDistance(LIGHT, textureLod(exitMap, near, 0.0).r);  // mm
     sum += depth < 1.0 ? exp(-kThickness * d) * isPlate(opposite, d) * (1.0 - smoothstep(0.5, 2.0, apart)) : 0.0;
   }

@@ -95,7 +95,7 @@ TEST(BlockDiffusion, SumsLevelsAndSpreadsThinnessBesideThem) {
   const auto light = test::irradianceIn(*surface, cosine);
   BlockDiffusion kept;
   const GaussianSum skin = literatureSkin();
-  const auto sum = diffuseInBlocks(surface, skin, {light, &light}, sumWeights(skin), kept);
+  const auto sum = diffuseInBlocks(surface, skin, {light, light}, sumWeights(skin), kept);
   const auto levels = levelsInBlocks(surface, skin, {light}, kept);
   const int smooth = PointDiffusion::smoothLevel(skin);
   ASSERT_EQ(smooth, 3);
@@ -115,8 +115,8 @@ TEST(BlockDiffusion, ThinnessHasALevelOfItsOwn) {
   const GaussianSum skin = literatureSkin(), narrow = scaledByWidth(skin, 0.5);
   ASSERT_EQ(PointDiffusion::smoothLevel(narrow), PointDiffusion::kSmooth);
   BlockDiffusion kept, keptNarrow;
-  const auto usual = diffuseInBlocks(surface, skin, {light, &light}, sumWeights(skin), kept);
-  const auto own = diffuseInBlocks(surface, narrow, {light, &light}, sumWeights(narrow), keptNarrow);
+  const auto usual = diffuseInBlocks(surface, skin, {light, light}, sumWeights(skin), kept);
+  const auto own = diffuseInBlocks(surface, narrow, {light, light}, sumWeights(narrow), keptNarrow);
   double difference = 0;
   for (const std::uint32_t t : coveredTexels(surface->maps)) {
     difference = std::max(difference, std::abs(double(usual[t].r - own[t].r)));

@@ -201,10 +201,8 @@ TEST_F(SkinLightTest, TerminatorOfABall) {
 // What the window spreads in the background.
 PointsLight refined(const EnteringLight& entering, const std::shared_ptr<const SkinSurface>& surface,
                     BlockDiffusion& kept) {
-  const auto irradiance = gl::readTexels(entering.irradiance()),
-             thinness = gl::readTexels(entering.thinness());
   return spreadByPoints(surface, entering.material().diffusion, entering.look().skin.thinModel,
-                        {irradiance, &thinness}, kept);
+                        {gl::readTexels(entering.irradiance()), gl::readTexels(entering.thinness())}, kept);
 }
 
 // Light from point to point that comes later takes the place of the blurs, is what finished pictures have, and stays until
@@ -243,6 +241,34 @@ TEST_F(SkinLightTest, RefinedLightStaysUntilTheLightChanges) {
   EXPECT_FALSE(view.light().refined());
   view.relight(gpu, look, {});
   EXPECT_EQ(read(view.light().diffuser().result().map), blurred);
+}
+
+// A picture that gives memory back on the way is the same picture.
+TEST_F(SkinLightTest, LightForOnePictureIsTheSameAndKeepsLess) {
+  const auto surface = ball(10, 0.3);
+  SkinQuality finished;
+  finished.diffusion = DiffusionMethod::points;
+  SkinLook look{plainSkin(), {}, {}};
+  look.lights.lights.push_back({.position = glm::normalize(glm::vec3(1, 0, 1)), .colour = glm::vec3(1)});
+  const auto draw = [&](bool once, std::size_t& bytes) {
+    GpuSkin gpu;
+    gpu.set(surface);
+    SkinView view;
+    if (once)
+      view.relightOnce(gpu, look, finished);
+    else
+      view.relight(gpu, look, finished);
+    const Camera camera = lookAlong({0, 0, -1}, {0, 1, 0}, gpu.box(), 1);
+    const gl::Framebuffer picture({.size = {200, 200}});
+    view.draw({.surface = gpu, .camera = camera, .look = look, .quality = finished, .supersampling = 2},
+              picture);
+    bytes = view.mapBytes();
+    return gl::readImage(picture).rgba;
+  };
+  std::size_t all = 0, kept = 0;
+  const auto expected = draw(false, all);
+  EXPECT_EQ(draw(true, kept), expected);
+  EXPECT_LT(3 * kept, all);
 }
 
 // Where the first Gaussian is blurred too, level 0 is no longer what has entered: that is what points spread.
