@@ -5,8 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/base/log.h"
+#include "core/mesh/atlas/seen_triangles.h"
 #include "core/mesh/repair/decimate.h"
-#include "core/mesh/search/seen_triangles.h"
+#include "core/mesh/search/near_triangles.h"
 
 namespace sonoskin {
 namespace {

@@ -1,10 +1,11 @@
-#include "core/mesh/search/seen_triangles.h"
+#include "core/mesh/atlas/seen_triangles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/mesh/search/near_triangles.h"
 #include "tests/support/meshes.h"
 
 namespace sonoskin {
