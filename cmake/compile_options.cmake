@@ -6,8 +6,10 @@ target_compile_options(sonoskin_options INTERFACE
   # x86-64-v3 (AVX2, FMA, F16C) is as fast as native for our memory-bound loops and runs on any PC since 2013.
   -march=x86-64-v3
   # Let the compiler vectorise square roots and selects; NaN and infinity keep their meaning.
-  -fno-math-errno -fno-trapping-math)
-target_link_libraries(sonoskin_options INTERFACE OpenMP::OpenMP_CXX Threads::Threads)
+  -fno-math-errno -fno-trapping-math
+  # Of OpenMP the hints for vectors alone: threads are TaskPool's.
+  -fopenmp-simd)
+target_link_libraries(sonoskin_options INTERFACE Threads::Threads)
 
 # A faster linker, where somebody has one.
 find_program(SONOSKIN_LINKER NAMES ld.mold ld.lld)

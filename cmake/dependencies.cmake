@@ -1,5 +1,4 @@
 # Every library the program uses, all from Debian 12. ITK is found in core/, the only layer that may see it.
-find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

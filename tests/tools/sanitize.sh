@@ -5,9 +5,7 @@
 # asan: addresses, leaks and undefined behaviour; tsan: threads. A part ends at its first finding, with a status that is not 0.
 # tests/README.md lists parts that stay below 20 minutes on two cores.
 #
-# What is known and not ours is in tests/tools/sanitize/*.supp, with its reason. Threads: GCC's OpenMP synchronises in ways that
-# no sanitizer sees, so that every loop would be a race. LLVM's runtime has the same interface and tells the sanitizer through
-# Archer: the tests are built by g++ as always, and run on it (package libomp-14-dev).
+# What is known and not ours is in tests/tools/sanitize/*.supp, with its reason.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -31,15 +29,6 @@ export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1:suppressions=$known/unde
 export ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1
 export LSAN_OPTIONS=suppressions=$known/leaks.supp:print_suppressions=0
 export TSAN_OPTIONS=halt_on_error=1:die_after_fork=0:handle_segv=0:ignore_noninstrumented_modules=1:suppressions=$known/threads.supp
-if [ "$kind" = tsan ]; then
-  llvm=/usr/lib/llvm-14/lib
-  if [ ! -e $llvm/libarcher.so ]; then
-    echo "sanitize: tsan needs LLVM's OpenMP: apt-get install libomp-14-dev" >&2
-    exit 1
-  fi
-  ln -sf $llvm/libomp.so.5 $build/libgomp.so.1
-  export LD_LIBRARY_PATH=$PWD/$build:$llvm OMP_TOOL_LIBRARIES=$llvm/libarcher.so
-fi
 # Its bound holds by 1 % at -O3; the rounding of -O1 is 2 % beyond it.
 export GTEST_FILTER=-ChartSides.LooksFindTheLightOfTheSides
 start=$SECONDS
