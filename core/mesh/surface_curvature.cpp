@@ -48,7 +48,7 @@ std::vector<float> meanCurvature(const Mesh& mesh, double radius, const Progress
 
 std::vector<float> meanCurvature(const Facets& facets, double radius, const Progress& progress) {
   const Mesh& mesh = facets.mesh;
-  const SurfacePatches patches = growPatches(facets, float(0.4 * radius), progress.part(0, 0.4));
+  const SurfacePatches patches = growPatches(facets, float(0.3 * radius), progress.part(0, 0.4));
   const std::vector<glm::vec4> sums = sumOverPatches(facets, patches, progress.part(0.4, 0.6));
   std::vector<glm::vec4> values = smoothOverPatches(patches, sums, float(radius), progress.part(0.6, 0.9));
   for (glm::vec4& v : values) v.x = v.y > 0 ? v.x / v.y : 0;
