@@ -17,7 +17,7 @@ using glm::vec3;
 constexpr std::size_t kRoughPoints = 96, kFairPoints = 200, kAllPoints = 100000;
 constexpr float kRoughWidth = 4, kFairWidth = 2.5f, kFineWidth = 1.5f;
 constexpr int kRolls = 20;
-constexpr std::size_t kRough = 400, kFair = 36, kFine = 8;
+constexpr std::size_t kRough = 1200, kFair = 36, kFine = 8;
 const vec3 kAnchor(0, -12, 37);  // of the mean face, between the nose's wings: it lies on the surface
 
 // Seed: a place of the surface where a search begins, and where it looks.
