@@ -9,7 +9,7 @@
 namespace sonoskin {
 namespace {
 
-// Waits a little for what is about to happen: loops follow each other closely, and to be woken takes 50 us.
+// Waits a little for what is about to happen: loops follow each other closely, and to be woken takes longer than this.
 template <class Condition>
 bool comesSoon(const Condition& condition) {
   constexpr auto kSoon = std::chrono::microseconds(30);

@@ -25,13 +25,14 @@ std::size_t numberAt(const std::vector<std::uint8_t>& png, std::size_t at) {
   return number;
 }
 
-// Whether every part of a PNG ends within it: stb takes the memory that a part asks for.
+// Whether every part of a PNG ends within it, to the one named IEND: stb takes the memory that a part asks for.
 bool partsFit(const std::vector<std::uint8_t>& png) {
-  constexpr std::size_t kMagicBytes = 8, kFrame = 12;  // length, name and sum of a part
-  for (std::size_t at = kMagicBytes; at + kFrame <= png.size();) {
-    const std::size_t bytes = numberAt(png, at);
-    if (bytes > png.size() - at - kFrame) return false;
-    at += kFrame + bytes;
+  constexpr std::size_t kMagicBytes = 8, kHead = 8, kSum = 4;  // of a part: length and name before it, a sum behind
+  for (std::size_t at = kMagicBytes; at + kHead <= png.size();) {
+    const std::size_t end = at + kHead + numberAt(png, at) + kSum;
+    if (end > png.size()) return false;
+    if (!std::memcmp(&png[at + 4], "IEND", 4)) break;
+    at = end;
   }
   return true;
 }

@@ -118,6 +118,15 @@ TEST(Png, TakesNoMoreMemoryThanTheFileCanFill) {
   bytes = good;
   bytes[good.find("IDAT") - 4] = 0x38;  // a part of 939 MB
   expectError([&] { readPng(folder.write("c.png", bytes)); }, "declares more than it holds");
+  bytes.resize(good.find("IDAT") + 6);  // which ends behind its name
+  expectError([&] { readPng(folder.write("d.png", bytes)); }, "declares more than it holds");
+}
+
+TEST(Png, WhatFollowsTheEndIsNoPart) {
+  const TempFolder folder;
+  writePng(folder / "a.png", gradient(8, 8));
+  const std::string more = test::fileText(folder / "a.png") + "\x7f more than eight bytes";
+  EXPECT_EQ(readPng(folder.write("b.png", more)).rgba, readPng(folder / "a.png").rgba);
 }
 
 }  // namespace
