@@ -172,8 +172,7 @@ void drawPictures(BatchRun& run, Scan scan, Results results, WaitingPicture& ski
     drawScan(run, *context, scan, results, shot.frame, writer);
     progress.update(0.3);
     results = {};  // parts, pieces, points: what is left needs the mesh alone
-    writer.write(run.folder.file("mesh.png"),
-                 pictureOfMesh(*context, shot.mesh, MeshLook::clay, shot.frame));
+    writer.write(run.folder.file("mesh.png"), pictureOfMesh(*context, shot.mesh, MeshLook::clay, shot.frame));
     progress.update(0.5);
     const bool bakes = run.options.bake != Bake::none;
     writer.write(run.folder.file("skin.png"), skin.take(*context, progress.part(0.5, bakes ? 0.7 : 1)));

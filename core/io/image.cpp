@@ -27,7 +27,8 @@ std::size_t numberAt(const std::vector<std::uint8_t>& png, std::size_t at) {
 
 // Whether every part of a PNG ends within it, to the one named IEND: stb takes the memory that a part asks for.
 bool partsFit(const std::vector<std::uint8_t>& png) {
-  constexpr std::size_t kMagicBytes = 8, kHead = 8, kSum = 4;  // of a part: length and name before it, a sum behind
+  constexpr std::size_t kMagicBytes = 8, kHead = 8,
+                        kSum = 4;  // of a part: length and name before it, a sum behind
   for (std::size_t at = kMagicBytes; at + kHead <= png.size();) {
     const std::size_t end = at + kHead + numberAt(png, at) + kSum;
     if (end > png.size()) return false;
