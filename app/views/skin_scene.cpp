@@ -41,8 +41,11 @@ HomeFrame homeOf(const Workspace& workspace) {
 void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
   if (!worker_) worker_ = std::make_unique<Worker>();
   wanted_ = wanted;
-  prepared_.reset();  // is shown no more; two would need twice the memory
-  if (surface_) surface_->set(nullptr);
+  // Of another mesh nothing is shown any more, and two would need twice the memory. Of the same one the other quality is.
+  if (shown_.mesh != wanted.mesh) {
+    prepared_.reset();
+    if (surface_) surface_->set(nullptr);
+  }
   const auto made = std::make_shared<std::shared_ptr<const SkinSurface>>();
   const glm::vec3 front = homeOf(workspace).back;
   worker_->replace({"Preparing skin",

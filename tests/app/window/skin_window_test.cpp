@@ -86,6 +86,18 @@ TEST_F(SkinWindowTest, DragsTheLampBehindAndTurnsItsDistance) {
   EXPECT_EQ(d.session().parameters().light.distance, distance) << "both turns are one step";
 }
 
+TEST_F(SkinWindowTest, ShowsTheSkinThatIsThereWhileABetterOneIsPrepared) {
+  Driver& d = *driver;
+  const Image before = d.screenshot("sonoskin_skin_before");
+  d.workspace().settings.skinQuality = SkinQualityChoice::full;
+  d.frames(2);
+  d.workspace().view.camera.orbit(0.001f, 0);  // hardly, but the picture is drawn anew
+  d.frames(2);
+  EXPECT_FALSE(d.workspace().view.skin.status.full);
+  EXPECT_LT(difference(before, d.screenshot("sonoskin_skin_between"), d, "pane.space"), 0.05);
+  ASSERT_TRUE(d.wait([&] { return d.workspace().view.skin.status.full; }));
+}
+
 // Whoever still held a volume or a surface of it would hold its memory.
 TEST_F(SkinWindowTest, GivesTheMemoryOfAClosedDocumentBack) {
   Driver& d = *driver;
