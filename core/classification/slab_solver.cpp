@@ -13,8 +13,7 @@ namespace sonoskin {
 namespace {
 
 constexpr double kLengthsBeyond = 8;  // coupling lengths: e^-8 of an error there is left
-constexpr int kSlabPerBeyond =
-    6;  // slices of a slab for each one beyond it: a sixth of the work is done twice
+constexpr int kSlabPerBeyond = 6;  // slices of a slab for each beyond it: a sixth of the work is done twice
 
 // SlabSolver: one slab after the other, in the same memory.
 class SlabSolver {

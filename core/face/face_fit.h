@@ -31,7 +31,7 @@ struct FaceFit {
 //   confidence  a logistic function of relief, explained share, score and rival, fitted to simulated scans of many heads
 //               and to surfaces without a face, with its middle where points lie on the skin: a face 0.65 or more, a CT,
 //               other ultrasound and wrong places 0.02 or less
-//   cost        0.25 s of one core
+//   cost        0.3 s of one core
 //   errors      Cancelled
 //   threads     the result does not depend on their number
 FaceFit fitFace(const FaceInput& input, const FaceOptions& options = {}, const Progress& progress = {});

@@ -39,10 +39,9 @@ struct AtlasOptions {
   glm::vec3 front{0, 0, 1};   // unit; the chart that looks this way is favoured
   int maxSize = 8192;         // texels a side; a larger atlas gets larger texels
   double maxTexels = 6.8e7;   // in all, gaps included; so does one that has more
-  std::size_t fine = std::numeric_limits<
-      std::size_t>::max();  // triangles: charts of later ones have kCoarser times the texel and no skirts
-  double unit =
-      1;  // how many times as large as a body's the object's folds, charts and noise are taken to be
+  double unit = 1;            // how many times as large as a body's folds, charts and noise are taken to be
+  // Triangles: charts of later ones have kCoarser times the texel and no skirts.
+  std::size_t fine = std::numeric_limits<std::size_t>::max();
 };
 
 inline constexpr float kCoarser = 3;
