@@ -57,8 +57,9 @@ Settings readSettings(const fs::path& file) {
     for (const json& recent : root.value("recent", json::array()))
       settings.recent.emplace_back(recent.get<std::string>());
     settings.remembersFiles = root.value("remembersFiles", true);
-    settings.width = std::clamp(root.value("width", settings.width), 800, 8192);
-    settings.height = std::clamp(root.value("height", settings.height), 600, 8192);
+    // As double: the library casts a number that no int holds, which C++ leaves undefined.
+    settings.width = int(std::clamp(root.value("width", double(settings.width)), 800.0, 8192.0));
+    settings.height = int(std::clamp(root.value("height", double(settings.height)), 600.0, 8192.0));
     settings.skinQuality = qualityNamed(root.value("skinQuality", std::string()));
   } catch (const json::exception&) {
     return {};

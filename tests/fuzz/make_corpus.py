@@ -187,7 +187,8 @@ def corpus():
         "wraps": b'{"mesh": {"smooth": 4294967297}}'}
     yield "landmarks", {"some": b"landmarks.noseTip=1.5,-2,30\nlandmarks.mouthLeft=1,2,3\nclassification.alpha=0.7"}, {
         "nan": b"landmarks.noseTip=nan,inf,1\nlandmarks.leftEye=1,2\nlandmarks.rightEye=1,2,3,4"}
-    yield "settings", {"whole": json.dumps(SETTINGS).encode()}, {"kind": b'{"width": "wide", "recent": [1, {}]}'}
+    yield "settings", {"whole": json.dumps(SETTINGS).encode()}, {
+        "kind": b'{"width": "wide", "recent": [1, {}]}', "enormous": b'{"width": 555155555555555555555551111110911105}'}
     yield "journal", {"whole": b"+a\n+d\n-c\n"}, {
         "outside": b"+../outside\n-../outside\n-.\n-..\n+/\n", "own": b"-.sonoskin-publish\n+.sonoskin-list\n"}
 
