@@ -5,6 +5,7 @@
 
 #include "app/batch/mesh_text.h"
 #include "app/cli/commands.h"
+#include "app/cli/parameter_options.h"
 #include "app/document/input.h"
 #include "core/base/error.h"
 #include "core/io/file_formats.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct InfoOptions {
   std::string file;
+  ParameterOptions reading;  // scan.volume and scan.time
   bool formats = false;
 };
 
@@ -36,6 +38,7 @@ std::string infoJson(const std::string& name, const VolumeInfo& info) {
   json["number_type"] = info.numberType;
   json["components"] = info.components;
   json["time_steps"] = info.timeSteps;
+  if (info.stepSeconds > 0) json["step_seconds"] = info.stepSeconds;
   json["value_range"] = {info.valueMin, info.valueMax};
   json["file_bytes"] = info.bytes;
   if (info.beam) {
@@ -44,6 +47,12 @@ std::string infoJson(const std::string& name, const VolumeInfo& info) {
     if (info.beam->apex) json["beam"]["apex_mm"] = vectorJson(*info.beam->apex);
   }
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+// "3 steps, 0.033 s apart"
+std::string timeText(const VolumeInfo& info) {
+  const std::string steps = fmt::format("{} steps", info.timeSteps);
+  return info.stepSeconds > 0 ? fmt::format("{}, {:.4g} s apart", steps, info.stepSeconds) : steps;
 }
 
 std::string infoText(const std::string& name, const VolumeInfo& info) {
@@ -61,7 +70,7 @@ std::string infoText(const std::string& name, const VolumeInfo& info) {
   }
   text += fmt::format("  numbers    {} x {}, {:g} .. {:g}\n", info.components, info.numberType, info.valueMin,
                       info.valueMax);
-  if (info.timeSteps > 1) text += fmt::format("  time       {} steps, the first is used\n", info.timeSteps);
+  if (info.timeSteps > 1) text += fmt::format("  time       {}\n", timeText(info));
   text += fmt::format("  probe      {}\n", !info.beam        ? "the file does not say; see --scan.probeSide"
                                            : info.beam->apex ? "beams from a point"
                                                              : "parallel beams");
@@ -82,8 +91,8 @@ void printMesh(const std::string& file, Console& console) {
                 inputName(file) + ":\n" + factsText(facts));
 }
 
-void printVolume(const std::string& file, Console& console) {
-  const VolumeInfo info = readVolumeInfo(file, console.progress());
+void printVolume(const std::string& file, const ScanOptions& scan, Console& console) {
+  const VolumeInfo info = readVolumeInfo(file, readOptions(scan), console.progress());
   console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }
 
@@ -95,7 +104,7 @@ void info(const InfoOptions& options, Console& console) {
   else if (isMeshFile(options.file))
     printMesh(options.file, console);
   else
-    printVolume(options.file, console);
+    printVolume(options.file, options.reading.resolve().scan, console);
 }
 
 }  // namespace
@@ -108,6 +117,8 @@ Command addInfoCommand(CLI::App& program, Console& console) {
       ->type_name("");
   command->add_flag("--formats", options->formats,
                     "a table of the formats instead: their endings and what they keep");
+  options->reading.addOne(*command, "volume", "scan.volume");
+  options->reading.addOne(*command, "time", "scan.time");
   console.addThreads(*command);
   console.addJson(*command);
   console.addNameInput(*command);

@@ -47,7 +47,8 @@ void ParameterOptions::addTo(CLI::App& command) {
   addPreset(command);
   addRecipe(command);
   addLook(command);
-  for (const ParameterInfo& parameter : describeParameters({})) addOne(command, "", parameter.name);
+  for (const ParameterInfo& parameter : describeParameters({}))
+    addOne(command, parameter.name == "scan.volume" ? "volume" : "", parameter.name);
 }
 
 void ParameterOptions::addOne(CLI::App& command, const std::string& shortName, const std::string& name) {

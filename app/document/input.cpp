@@ -17,7 +17,7 @@ namespace sonoskin {
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress) {
   const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
   Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
-                                            : readScan(files.volume, volume);
+                                            : readScan(files.volume, readOptions(parameters.scan), volume);
   if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
   warnOfSpacing(scan);
   fitIntoMemory(scan, parameters.scan);

@@ -38,7 +38,7 @@ void Session::openFile(const fs::path& path) {
   ScanOptions options = document_.parameters.scan;
   if (hasScan()) options.spacing = ScanOptions().spacing;
   open("Opening " + name, {{}, name}, [path, options](Opened& opened, const Progress& progress) {
-    opened.scan = readScan(path, progress);
+    opened.scan = readScan(path, readOptions(options), progress);
     opened.givesSpacing = opened.scan.spacingKnown;
     if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
     warnOfSpacing(opened.scan);

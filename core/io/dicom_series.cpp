@@ -146,7 +146,10 @@ LoadedVolume readFrames(const fs::path& path, const Progress& progress) {
 
 bool isDicom(const fs::path& path) { return beginsAs(FileFormat::dicom, readBytes(path, 132)); }
 
-LoadedVolume readDicomSeries(const fs::path& path, const Progress& progress) {
+// Of several series the largest is read.
+std::vector<VolumeEntry> dicomVolumes(const fs::path&, const Progress&) { return {}; }
+
+LoadedVolume readDicomSeries(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   silenceLibraries();
   if (!fs::is_directory(path)) {
     refuseMakersFormats(path);
@@ -155,7 +158,10 @@ LoadedVolume readDicomSeries(const fs::path& path, const Progress& progress) {
   progress.update(0);
   const Names names = seriesFiles(path);
   if (names.size() == 1) refuseMakersFormats(names.front());
-  return names.size() == 1 ? readFrames(names.front(), progress) : readSlices(names, path, progress);
+  LoadedVolume series =
+      names.size() == 1 ? readFrames(names.front(), progress) : readSlices(names, path, progress);
+  checkTime(options.time, series.stored.timeSteps, path);
+  return series;
 }
 
 }  // namespace sonoskin

@@ -60,7 +60,7 @@ StoredVolume describe(const itk::ImageIOBase& io, FileFormat format, const Decla
   stored.format = formatName(format);
   stored.spacingKnown = data.spacingKnown;
   stored.timeSteps = io.GetNumberOfDimensions() == 4 ? int(io.GetDimensions(3)) : 1;
-  stored.timeIsFastest = data.timeAxis >= 0;
+  if (data.timeAxis >= 0) stored.timeSteps = std::exchange(stored.components, 1);
   const HeaderKeys keys = ownKeys(io);
   stored.beam = beamFromKeys(keys);
   stored.unitRange = rangeFromKeys(keys);
@@ -96,6 +96,18 @@ void setKeys(itk::ImageIOBase& io, const StoredVolume& stored) {
   if (beam) itk::EncapsulateMetaData<std::string>(keys, kBeamUpKey, text(beam->up));
   if (beam && beam->apex) itk::EncapsulateMetaData<std::string>(keys, kBeamApexKey, text(*beam->apex));
   io.SetMetaDataDictionary(keys);
+}
+
+// Leaves one time step of all, which lie one after another, or side by side.
+void keepStep(LoadedVolume& loaded, int time, bool sideBySide) {
+  const std::size_t steps = std::size_t(loaded.stored.timeSteps), step = std::size_t(time) - 1;
+  std::vector<std::uint8_t>& numbers = loaded.numbers;
+  const std::size_t block = sideBySide ? numberTypeBytes(loaded.stored.type) : numbers.size() / steps;
+  const std::size_t stride = sideBySide ? block * steps : numbers.size();
+  std::size_t to = 0;
+  for (std::size_t from = step * block; from < numbers.size(); from += stride, to += block)
+    std::memmove(numbers.data() + to, numbers.data() + from, block);
+  numbers.resize(to);
 }
 
 // Whether a file holds all of a volume: ITK's writers do not tell when the disk is full.
@@ -149,7 +161,7 @@ StoredVolume describedBy(const itk::ImageIOBase& io, const fs::path& path) {
 }
 
 LoadedVolume readWithItk(FileFormat format, const fs::path& path, const DeclaredData& data,
-                         std::vector<std::uint8_t> unpacked, const Progress& progress) {
+                         std::vector<std::uint8_t> unpacked, int time, const Progress& progress) {
   progress.update(0);
   const itk::ImageIOBase::Pointer io = makeIo(format);
   LoadedVolume loaded;
@@ -157,11 +169,12 @@ LoadedVolume readWithItk(FileFormat format, const fs::path& path, const Declared
   guarded(path, [&] { io->ReadImageInformation(); });
   loaded.stored = describe(*io, format, data, path);
   checkGeometry(loaded.stored, path);
+  checkTime(time, loaded.stored.timeSteps, path);
   io->SetIORegion(wholeRegion(*io));
   progress.update(0.1);
   const std::size_t bytes = std::size_t(io->GetImageSizeInBytes());
   // ITK would unpack them again; what it turns over, colours and lists, is left to it.
-  const bool isPlain = io->GetNumberOfComponents() == 1 && !loaded.stored.timeIsFastest;
+  const bool isPlain = io->GetNumberOfComponents() == 1;
   if (isPlain && unpacked.size() == bytes)
     loaded.numbers = std::move(unpacked);
   else
@@ -169,7 +182,8 @@ LoadedVolume readWithItk(FileFormat format, const fs::path& path, const Declared
       loaded.numbers.resize(bytes);
       io->Read(loaded.numbers.data());
     });
-  loaded.numbers.resize(loaded.numbers.size() / std::size_t(loaded.stored.timeSteps));
+  const bool sideBySide = data.timeAxis >= 0;
+  keepStep(loaded, time, sideBySide);
   loaded.bytes = fileSize(path) + (data.file == path ? 0 : fileSize(data.file));
   progress.update(1);
   return loaded;

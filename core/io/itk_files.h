@@ -19,11 +19,13 @@ namespace sonoskin {
 
 // readWithItk: reads a file that checkData has let through.
 //   unpacked what checkData gave: its numbers, or nothing
-//   output   numbers of the first time step after the file's slope and intercept; the geometry in mm and LPS
-//   errors   Error: ITK cannot read it, or takes it for something else than its header declares; Cancelled
+//   time     which time step, counted from 1
+//   output   numbers of that time step after the file's slope and intercept; the geometry in mm and LPS
+//   errors   Error: ITK cannot read it, or takes it for something else than its header declares; there is no such
+//            time step; Cancelled
 //   cost     the memory of all time steps
 LoadedVolume readWithItk(FileFormat format, const std::filesystem::path& path, const DeclaredData& data,
-                         std::vector<std::uint8_t> unpacked, const Progress& progress = {});
+                         std::vector<std::uint8_t> unpacked, int time, const Progress& progress = {});
 
 // writeWithItk: writes one number per voxel, atomically; packed, where the format can.
 //   input    stored   of the type uint8 or float32; NRRD and MetaImage keep its beam and its range

@@ -9,7 +9,7 @@ namespace sonoskin {
 // In a process of its own, where there are any.
 Mesh readMesh(const std::filesystem::path& path, const Progress& progress) {
   if (!readersRun()) return parseMesh(path, progress);
-  return meshFrom(readApart(ReaderTask::mesh, path, progress).bytes(), path);
+  return meshFrom(readApart({ReaderTask::mesh}, path, progress).bytes(), path);
 }
 
 }  // namespace sonoskin

@@ -17,13 +17,13 @@ constexpr double kLowPercentile = 0.0005, kHighPercentile = 0.9995;
 constexpr std::size_t kSamples = 1u << 22;
 constexpr float kLuminance[3] = {0.2126f, 0.7152f, 0.0722f};
 
-// The values of the first time step as doubles' nearest floats; not finite ones stay so.
+// The values as doubles' nearest floats; not finite ones stay so.
 template <class T>
 Volume<float> values(const StoredVolume& stored, const std::uint8_t* numbers, const Progress& progress) {
   auto volume = Volume<float>::unset(stored.geometry);
   const std::size_t slice = std::size_t(stored.geometry.dims.x) * std::size_t(stored.geometry.dims.y);
   const std::size_t stride = std::size_t(stored.components);
-  const bool colour = stride >= 3 && !stored.timeIsFastest;
+  const bool colour = stride >= 3;
   parallelFor(
       stored.geometry.dims.z,
       [&](std::ptrdiff_t k) {

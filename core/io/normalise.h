@@ -26,7 +26,7 @@ struct NormalisedVolume {
 //           values) and a few stray values must not darken all others. Where that leaves no contrast, the least and the
 //           greatest value. A file of ours tells its range itself. Padding (the file's own and findPadding) becomes 0, whatever its value, and so
 //           do NaN and infinity. Colour becomes its luminance (Rec. 709 weights on the coded values, so that grey stays as it
-//           is); of several time steps side by side the first is taken.
+//           is).
 //   cost    O(voxels); percentiles from at most 4 million voxels, evenly chosen
 //   errors  Cancelled
 NormalisedVolume normalise(const StoredVolume& stored, const std::vector<std::uint8_t>& numbers,

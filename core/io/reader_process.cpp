@@ -34,7 +34,7 @@ namespace {
 constexpr int kMostLogged = 20;  // of what a process led astray may say
 // Request: what the server is told, with two descriptors: of the memory for the answer, and of the line for messages.
 struct Request {
-  ReaderTask task = ReaderTask::volume;
+  ReaderRequest what;
   ReaderLimits limits;
   std::array<char, 4096> path{};
 };
@@ -129,7 +129,7 @@ void writeAll(int file, const void* data, std::size_t bytes) {
   });
   try {
     performTask(
-        request.task, path, [&](const void* data, std::size_t bytes) { writeAll(answer, data, bytes); },
+        request.what, path, [&](const void* data, std::size_t bytes) { writeAll(answer, data, bytes); },
         Progress(sink));
     say(line, Message::What::done);
   } catch (const Error& error) {
@@ -214,12 +214,12 @@ bool sendRequest(const Request& request, std::array<int, 2> descriptors) {
 // Reader: the process that reads for this program; it ends with it.
 class Reader {
  public:
-  Reader(ReaderTask task, const fs::path& path)
+  Reader(const ReaderRequest& what, const fs::path& path)
       : path_(path),
         limits_(limitsFor(path)),
         answer_(::memfd_create("sonoskin", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
     std::array<int, 2> line{-1, -1};
-    Request request{task, limits_, {}};
+    Request request{what, limits_, {}};
     const std::string name = path.string();
     require(name.size() < request.path.size(), "{} is too long a name; give the file a shorter one.",
             name.substr(0, 80) + "...");
@@ -332,10 +332,10 @@ ReaderAnswer::~ReaderAnswer() {
   if (data_) ::munmap(const_cast<std::uint8_t*>(data_), size_);
 }
 
-ReaderAnswer readApart(ReaderTask task, const fs::path& path, const Progress& progress) {
+ReaderAnswer readApart(const ReaderRequest& request, const fs::path& path, const Progress& progress) {
   std::error_code code;
   if (!fs::is_directory(path, code)) fileSize(path);  // says what is no ordinary file, without opening it
-  Reader reader(task, path);
+  Reader reader(request, path);
   reader.wait(progress);
   return reader.answer();
 }

@@ -5,13 +5,14 @@
 #include <span>
 
 #include "core/base/progress.h"
+#include "core/io/read_options.h"
 
 // A process of its own for the libraries that parse files of strangers. They end in asserts, stack overflows and
 // requests for gigabytes, which no `catch` helps against; so whatever a file does there costs that process alone.
 namespace sonoskin {
 
 // ReaderTask: what is read. The answer is what reader_wire.h makes of it.
-enum class ReaderTask : std::uint8_t { volume, mesh };
+enum class ReaderTask : std::uint8_t { volume, list, mesh };
 
 // ReaderAnswer: bytes in memory that was shared with the process that made them; it has ended.
 class ReaderAnswer {
@@ -34,6 +35,12 @@ void startReaders();
 // readersRun: whether they were started; without them callers read by themselves.
 bool readersRun();
 
+// ReaderRequest: what is read, and what of it.
+struct ReaderRequest {
+  ReaderTask task = ReaderTask::volume;
+  ReadOptions options{};
+};
+
 // readApart: reads a file, or a folder with a DICOM series, in a process that has
 //   memory, time  for a file of its size: reader_limits.h
 //   files   read-only, those in the folder of what is read and those that links there lead to, where the kernel has Landlock (Linux 5.13); no new ones
@@ -41,6 +48,7 @@ bool readersRun();
 //           apart; not an ordinary file.
 //           Cancelled: the process is killed
 //   threads any, several at once
-ReaderAnswer readApart(ReaderTask task, const std::filesystem::path& path, const Progress& progress = {});
+ReaderAnswer readApart(const ReaderRequest& request, const std::filesystem::path& path,
+                       const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -5,12 +5,14 @@
 
 namespace sonoskin {
 
-void performTask(ReaderTask task, const std::filesystem::path& path, const Write& write,
+void performTask(const ReaderRequest& request, const std::filesystem::path& path, const Write& write,
                  const Progress& progress) {
-  if (task == ReaderTask::mesh)
+  if (request.task == ReaderTask::mesh)
     writeAnswer(parseMesh(path, progress), write);
+  else if (request.task == ReaderTask::list)
+    writeAnswer(volumesIn(path, progress), write);
   else
-    writeAnswer(loadVolume(path, progress), write);
+    writeAnswer(loadVolume(path, request.options, progress), write);
 }
 
 }  // namespace sonoskin

@@ -10,7 +10,7 @@ namespace sonoskin {
 
 // performTask: reads in this process, and writes the answer piece by piece.
 //   errors  those of loadVolume or parseMesh
-void performTask(ReaderTask task, const std::filesystem::path& path, const Write& write,
+void performTask(const ReaderRequest& request, const std::filesystem::path& path, const Write& write,
                  const Progress& progress);
 
 }  // namespace sonoskin

@@ -82,7 +82,7 @@ void walkVolume(F& f, V& v) {
   auto& s = v.stored;
   auto& g = s.geometry;
   f(s.format), f(g.dims), f(g.spacing), f(g.origin), f(g.direction);
-  f(s.spacingKnown), f(s.type), f(s.components), f(s.timeSteps), f(s.timeIsFastest), f(s.modality);
+  f(s.spacingKnown), f(s.type), f(s.components), f(s.timeSteps), f(s.stepSeconds), f(s.modality);
   f(s.padding), f(v.bytes), f(v.numbers);
 }
 
@@ -117,7 +117,8 @@ bool isSound(const LoadedVolume& v) {
   constexpr int kMost = 1 << 16;
   const auto fits = [](int number) { return number >= 1 && number <= kMost; };
   if (std::size_t(s.type) > std::size_t(NumberType::float64) || !fits(s.components) || !fits(s.timeSteps) ||
-      !fits(s.geometry.dims.x) || !fits(s.geometry.dims.y) || !fits(s.geometry.dims.z))
+      !(s.stepSeconds >= 0) || !std::isfinite(s.stepSeconds) || !fits(s.geometry.dims.x) ||
+      !fits(s.geometry.dims.y) || !fits(s.geometry.dims.z))
     return false;
   if (s.padding.size() > 1 && s.padding.size() != std::size_t(s.geometry.dims.z)) return false;
   if (s.beam &&
@@ -141,6 +142,13 @@ void writeAnswer(const Mesh& mesh, const Write& write) {
   walkMesh(writer, mesh);
 }
 
+void writeAnswer(const std::vector<VolumeEntry>& entries, const Write& write) {
+  const Writer writer(write);
+  writer(std::uint64_t(entries.size()));
+  for (const VolumeEntry& entry : entries)
+    writer(entry.dims), writer(entry.timeSteps), writer(entry.modality);
+}
+
 LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
   ByteReader reader(answer, path);
   LoadedVolume volume;
@@ -150,6 +158,16 @@ LoadedVolume volumeFrom(std::span<const std::uint8_t> answer, const fs::path& pa
           path.string());
   checkGeometry(volume.stored, path);
   return volume;
+}
+
+std::vector<VolumeEntry> entriesFrom(std::span<const std::uint8_t> answer, const fs::path& path) {
+  constexpr std::uint64_t kMost = 100'000;
+  ByteReader reader(answer, path);
+  std::uint64_t count = 0;
+  reader(count);
+  std::vector<VolumeEntry> entries(std::size_t(std::min(count, kMost)));
+  for (VolumeEntry& entry : entries) reader(entry.dims), reader(entry.timeSteps), reader(entry.modality);
+  return entries;
 }
 
 Mesh meshFrom(std::span<const std::uint8_t> answer, const fs::path& path) {

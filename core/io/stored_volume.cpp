@@ -82,6 +82,11 @@ std::optional<NumberType> numberTypeOf(std::string_view name) {
   return found->second;
 }
 
+void checkTime(int time, int timeSteps, const fs::path& path) {
+  require(time >= 1 && time <= timeSteps, "{} has {} time step{}; there is no step {} (scan.time).",
+          path.string(), timeSteps, timeSteps == 1 ? "" : "s", time);
+}
+
 void checkGeometry(StoredVolume& stored, const fs::path& path) {
   Geometry& g = stored.geometry;
   checkDims(g.dims, path);
@@ -103,7 +108,7 @@ void checkGeometry(StoredVolume& stored, const fs::path& path) {
   orthonormalise(g, path);
   require(stored.timeSteps >= 1 && stored.components >= 1, "{} says that it has no voxels; get a fresh copy.",
           path.string());
-  require(stored.components == 1 || stored.components == 3 || stored.components == 4 || stored.timeIsFastest,
+  require(stored.components == 1 || stored.components == 3 || stored.components == 4,
           "{} has {} numbers per voxel; a volume has one, or three or four of colour.", path.string(),
           stored.components);
 }

@@ -27,8 +27,8 @@ struct StoredVolume {
   bool spacingKnown = true;
   NumberType type = NumberType::uint8;
   int components = 1;                                  // numbers per voxel, side by side
-  int timeSteps = 1;                                   // volumes one after another, or
-  bool timeIsFastest = false;                          // side by side, as components
+  int timeSteps = 1;                                   // volumes of the same grid, one of which was read
+  double stepSeconds = 0;                              // from one to the next; 0: the file does not tell
   std::optional<std::pair<double, double>> unitRange;  // values that mean 0 and 1, where the file tells
   std::vector<Padding>
       padding;  // numbers that mean nothing was recorded: of all, or of each slice; none: not told
@@ -40,7 +40,7 @@ struct StoredVolume {
 // LoadedVolume: a volume as it lies in its file or files, with the numbers in this machine's byte order.
 struct LoadedVolume {
   StoredVolume stored;
-  std::vector<std::uint8_t> numbers;  // of the first time step, or of all that lie side by side
+  std::vector<std::uint8_t> numbers;  // of the time step that was asked for
   std::uintmax_t bytes = 0;           // of the file or files
 };
 
@@ -48,7 +48,10 @@ struct LoadedVolume {
 //   errors   Error: fewer than 2 or more than 65535 voxels along an axis, more than 2^31 voxels; spacing, origin or
 //            direction not finite, spacing not positive, sizes that no scan of a body has, axes not at right
 //            angles; several numbers per voxel that are
-//            neither colour nor time
+//            no colour
 void checkGeometry(StoredVolume& stored, const std::filesystem::path& path);
+
+// checkTime: refuses a time step, counted from 1, that a file does not have.
+void checkTime(int time, int timeSteps, const std::filesystem::path& path);
 
 }  // namespace sonoskin

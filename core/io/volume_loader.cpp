@@ -35,16 +35,23 @@ DeclaredData declaredData(FileFormat format, const fs::path& path) {
 
 }  // namespace
 
-LoadedVolume loadVolume(const fs::path& path, const Progress& progress) {
+LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path);
   if (format == FileFormat::dicom) {
-    LoadedVolume series = readDicomSeries(path, progress);
+    LoadedVolume series = readDicomSeries(path, options, progress);
     checkGeometry(series.stored, path);
     return series;
   }
+  require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
+          options.volume);
   const DeclaredData data = declaredData(format, path);
   std::vector<std::uint8_t> unpacked = checkData(data, path);
-  return readWithItk(format, path, data, std::move(unpacked), progress);
+  return readWithItk(format, path, data, std::move(unpacked), options.time, progress);
+}
+
+std::vector<VolumeEntry> volumesIn(const fs::path& path, const Progress& progress) {
+  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path);
+  return format == FileFormat::dicom ? dicomVolumes(path, progress) : std::vector<VolumeEntry>();
 }
 
 }  // namespace sonoskin

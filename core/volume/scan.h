@@ -45,6 +45,8 @@ struct Scan {
   double originalMin = 0, originalMax = 1;      // what 0 and 1 were in the file
   std::string originalType = "float";           // number type in the file, such as "uint8"
   bool spacingKnown = true;                     // false: the file gave none and 1 mm was assumed
+  int timeSteps = 1, time = 1;                  // how many its file has, and which of them this is, from 1
+  double stepSeconds = 0;                       // from one to the next; 0: the file does not tell
   std::string
       modality{};  // DICOM's word for the machine, such as "US" or "CT"; empty where the file does not tell
   std::optional<Beam> beam;                            // where the file or the phantom tells

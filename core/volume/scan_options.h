@@ -23,6 +23,7 @@ struct ScanOptions {
   BeamOrigin beamOrigin = BeamOrigin::automatic;
   std::array<double, 3> apex{0, 0, 0};
   std::array<double, 3> spacing{0, 0, 0};
+  int volume = 0, time = 1;
   bool half = false;
   std::array<double, 3> cutLow{0, 0, 0}, cutHigh{0, 0, 0};
 };
@@ -42,6 +43,11 @@ void fields(F&& f, O& o) {
     o.apex, Range{-10000.0, 10000.0});
   f(Field{"spacing", "from voxel to voxel, for files that give no spacing; 0: unknown", "mm"}, o.spacing,
     Range{0.0, 100.0});
+  f(Field{"volume",
+          "which of several volumes in a file or folder, as info counts them; 0: it holds one alone; when it "
+          "is opened next"},
+    o.volume, Range{0, 10000});
+  f(Field{"time", "which time step of a recording in time, counted from 1"}, o.time, Range{1, 100000});
   f(Field{"half",
           "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},
     o.half);

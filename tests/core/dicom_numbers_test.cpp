@@ -282,7 +282,8 @@ TEST(DicomNumbers, PaddingCrossesTheProcess) {
   const auto number = [](int n, int) { return n < 0 ? -2000 : n; };
   series(folder, number, [](DicomImage& image, int) { image.isSigned = true, image.padding = -2000; });
   const LoadedVolume here = loadVolume(folder.path());
-  const LoadedVolume apart = volumeFrom(readApart(ReaderTask::volume, folder.path()).bytes(), folder.path());
+  const LoadedVolume apart =
+      volumeFrom(readApart({ReaderTask::volume}, folder.path()).bytes(), folder.path());
   ASSERT_EQ(here.stored.padding.size(), std::size_t(kSide));
   ASSERT_EQ(apart.stored.padding.size(), here.stored.padding.size());
   EXPECT_EQ(apart.stored.padding[3].least, -2000);

@@ -64,7 +64,7 @@ TEST_F(Readers, GiveTheSameVolume) {
     SCOPED_TRACE(extension);
     const fs::path file = volume("scan" + extension);
     const LoadedVolume here = loadVolume(file);
-    const LoadedVolume apart = volumeFrom(readApart(ReaderTask::volume, file).bytes(), file);
+    const LoadedVolume apart = volumeFrom(readApart({ReaderTask::volume}, file).bytes(), file);
     EXPECT_EQ(apart.numbers, here.numbers);
     EXPECT_EQ(apart.bytes, here.bytes);
     EXPECT_EQ(apart.stored.format, here.stored.format);
@@ -109,7 +109,7 @@ TEST_F(Readers, SeeTheirFolderAlone) {
     const fs::path header = folder.write(
         "a.nhdr",
         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: " + name + "\n");
-    EXPECT_THROW(readApart(ReaderTask::volume, header), Error);
+    EXPECT_THROW(readApart({ReaderTask::volume}, header), Error);
   }
 }
 
@@ -205,7 +205,7 @@ TEST_F(Readers, SayWhyTheyEnded) {
     sink.report = [number](double) {
       for (const pid_t process : readers()) ::kill(process, number);
     };
-    expectError([&] { readScan(folder / "large.nrrd", Progress(sink)); }, words, kind);
+    expectError([&] { readScan(folder / "large.nrrd", {}, Progress(sink)); }, words, kind);
   }
   EXPECT_NO_THROW(readScan(volume("good.nrrd")));
 }
@@ -229,7 +229,7 @@ TEST_F(Readers, PassNotesOn) {
 TEST_F(Readers, CanBeCancelled) {
   ProgressSink sink;
   sink.cancel = true;
-  EXPECT_THROW(readScan(volume("scan.nrrd"), Progress(sink)), Cancelled);
+  EXPECT_THROW(readScan(volume("scan.nrrd"), {}, Progress(sink)), Cancelled);
 }
 
 // Answers that contradict themselves are refused, whatever wrote them.
@@ -240,7 +240,7 @@ TEST(ReaderWire, TrustsNothing) {
   square.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   square.triangles = {{0, 1, 2}};
   writeMesh(folder / "a.ply", square);
-  performTask(ReaderTask::mesh, folder / "a.ply",
+  performTask({ReaderTask::mesh}, folder / "a.ply",
               [&](const void* data, std::size_t count) {
                 const auto* from = static_cast<const std::uint8_t*>(data);
                 bytes.insert(bytes.end(), from, from + count);

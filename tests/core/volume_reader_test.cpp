@@ -107,13 +107,16 @@ TEST(ReadScan, StrayValuesNeitherDarkenNorBreak) {
   EXPECT_NEAR(scan.volume->data[4000], 0.5, 0.01);
 }
 
-TEST(ReadScan, TakesTheFirstTimeStepAndTheLuminanceOfColour) {
+TEST(ReadScan, TakesTheTimeStepAskedForAndTheLuminanceOfColour) {
   const TempFolder folder;
   const std::string head = "NRRD0004\ntype: uint8\ndimension: 4\nencoding: raw\n";
   const auto last = folder.write("last.nrrd", head + "sizes: 2 3 4 5\nkinds: domain domain domain time\n\n" +
                                                   k24 + std::string(96, '\0'));
   EXPECT_EQ(readVolumeInfo(last).timeSteps, 5);
   EXPECT_NEAR(readScan(last).volume->data[23], 128 / 255.0, 1e-6);
+  EXPECT_EQ(readScan(last, {.time = 5}).volume->data[23], 0);
+  expectError([&] { readScan(last, {.time = 6}); }, "there is no step 6");
+  expectError([&] { readScan(last, {.volume = 2}); }, "there is no volume 2");
   std::string pairs, colours;
   for (int n = 0; n < 24; ++n) {
     pairs += "\x80\x01";
@@ -123,6 +126,7 @@ TEST(ReadScan, TakesTheFirstTimeStepAndTheLuminanceOfColour) {
       folder.write("first.nrrd", head + "sizes: 2 2 3 4\nkinds: list domain domain domain\n\n" + pairs);
   EXPECT_EQ(readVolumeInfo(first).timeSteps, 2);
   EXPECT_NEAR(readScan(first).volume->data[23], 128 / 255.0, 1e-6);
+  EXPECT_NEAR(readScan(first, {.time = 2}).volume->data[23], 1 / 255.0, 1e-6);
   const auto rgb =
       folder.write("rgb.nrrd", head + "sizes: 3 2 3 4\nkinds: RGB-color domain domain domain\n\n" + colours);
   EXPECT_EQ(readVolumeInfo(rgb).components, 3);
@@ -292,7 +296,7 @@ TEST(ReadScan, StopsWhenCancelled) {
   ProgressSink sink;
   sink.report = [&](double) { sink.cancel = true; };
   const auto path = folder.write("a.nrrd", nrrd("uint8", "", k24));
-  EXPECT_THROW(readScan(path, Progress(sink)), Cancelled);
+  EXPECT_THROW(readScan(path, {}, Progress(sink)), Cancelled);
 }
 
 // The same with headers alone, which no checksum protects.
