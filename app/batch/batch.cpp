@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <new>
-#include <nlohmann/json.hpp>
-#include <regex>
 #include <utility>
 
 #include "app/batch/crash_message.h"
+#include "app/batch/obsolete_files.h"
+#include "app/batch/picture_frame.h"
 #include "app/batch/picture_writer.h"
 #include "app/batch/waiting_picture.h"
-#include "app/document/face_view.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -111,18 +110,10 @@ void checkMeshes(BatchRun& run, const Results& results) {
   });
 }
 
-// Before the face, upright, where one was found; else from the probe.
 PictureOptions frameOf(const BatchRun& run, const Scan& scan, const Results& results) {
   const FaceFit* face = run.report.face.used ? results.face.get() : nullptr;
-  PictureOptions frame;
-  frame.size = run.options.pictureSize;
-  frame.beam = beamOf(scan, run.parameters.scan);
-  if (run.options.turnsFormat && isTall(results.mesh->positions, face, frame.beam))
-    frame.size = {frame.size.y, frame.size.x};
-  frame.camera = "face";
-  frame.face =
-      cameraOnFace(results.mesh->positions, face, frame.beam, float(frame.size.x) / float(frame.size.y));
-  return frame;
+  return pictureFrame(*results.mesh, face, beamOf(scan, run.parameters.scan), run.options.pictureSize,
+                      run.options.turnsFormat);
 }
 
 // SkinShot: what the picture of the skin and its maps are made from.
@@ -229,28 +220,6 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
   return 0;
 }
 
-// Files of an earlier run in the folder that this one has none of: its report names them. Nothing else is touched, whatever
-// a report says.
-std::vector<std::string> obsoleteFiles(const BatchRun& run) {
-  static const std::regex kOurs(
-      fmt::format(R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.({}|mtl)|skin_\w+\.png|)"
-                  R"(truth\.ply|points\.ply|(classified|thinned)\.nrrd)",
-                  fmt::join(extensionWords(FileKind::writtenMesh), "|")));
-  std::vector<std::string> obsolete;
-  nlohmann::json earlier;
-  try {
-    earlier = nlohmann::json::parse(readText(run.options.folder / "report.json"), nullptr, false);
-  } catch (const Error&) {
-    return obsolete;  // there was no earlier run, or its report is none
-  }
-  if (!earlier.is_object() || !earlier.contains("files") || !earlier["files"].is_array()) return obsolete;
-  for (const nlohmann::json& name : earlier["files"])
-    if (name.is_string() && std::regex_match(name.get<std::string>(), kOurs) &&
-        std::ranges::count(run.report.files, name.get<std::string>()) == 0)
-      obsolete.push_back(name.get<std::string>());
-  return obsolete;
-}
-
 // The report is written anew with each set of files.
 void publish(BatchRun& run, const Timer& timer) {
   const std::string name = "report.json";
@@ -262,7 +231,7 @@ void publish(BatchRun& run, const Timer& timer) {
   const std::string report = reportJson(run.report);
   writeBytes(run.folder.file(name), report.data(), report.size());
   run.progress.throwIfCancelled();
-  run.folder.commit(obsoleteFiles(run));
+  run.folder.commit(obsoleteFiles(run.options.folder, run.report.files));
 }
 
 // What was computed is safe by now. A renderer that has no memory may end the program without an exception.

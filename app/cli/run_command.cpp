@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
-#include "app/batch/batch.h"
+#include "app/batch/sequence.h"
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
 #include "app/cli/mask_options.h"
@@ -21,7 +22,23 @@ struct RunOptions {
   BatchOptions batch;
   ParameterOptions parameters;
   std::vector<std::string> keep;
+  std::optional<StepRange> time;
 };
+
+// Whether several time steps are asked for; one alone is a parameter.
+bool isSequence(RunOptions& options) {
+  if (!options.time) return false;
+  options.batch.parameters.scan.time = options.time->first;
+  return !options.time->isOne();
+}
+
+// Results on the way, baked maps and solids to print are of one surface.
+void refuseForSequences(const RunOptions& options) {
+  const BatchOptions& batch = options.batch;
+  if (!options.keep.empty() || batch.bake != Bake::none || batch.parameters.print.form != PrintForm::none)
+    throw Error("--keep, --bake and print.form are for one time step; name one with --time.",
+                Error::Kind::usage);
+}
 
 void run(RunOptions& options, Console& console) {
   BatchOptions& batch = options.batch;
@@ -35,11 +52,16 @@ void run(RunOptions& options, Console& console) {
                 Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
   batch.inputName = console.nameOf(batch.input.volume);
+  const auto stage = [&](const std::string& name) { console.beginStage(name); };
+  if (isSequence(options)) {
+    refuseForSequences(options);
+    const SequenceReport report = runSequence(batch, *options.time, console.progress(), stage);
+    return console.print(sequenceJson(report), sequenceText(report, batch.folder));
+  }
   batch.keepClassified = keeps("classified");
   batch.keepThinned = keeps("thinned");
   batch.keepPoints = keeps("points");
-  const Report report =
-      runBatch(batch, console.progress(), [&](const std::string& stage) { console.beginStage(stage); });
+  const Report report = runBatch(batch, console.progress(), stage);
   console.print(reportJson(report), reportText(report, batch.folder));
 }
 
@@ -57,6 +79,12 @@ Command addRunCommand(CLI::App& program, Console& console) {
       ->required()
       ->type_name("DIR");
   addMaskOptions(*command, batch.input);
+  command
+      ->add_option_function<std::string>(
+          "--time", [options](const std::string& text) { options->time = stepRange(text); },
+          "time steps of a recording: all, a number from 1, or two with a dash; several give a mesh and a "
+          "picture each, and a film where ffmpeg is there")
+      ->type_name("all|N|A-B");
   addChoices(*command, "--export", batch.meshFormats, extensionWords(FileKind::writtenMesh),
              "formats of the mesh, with commas");
   addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},

@@ -63,12 +63,17 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   name = opened.name;
   givesSpacing = opened.givesSpacing;
   reading = opened.reading;
+  source = opened.source;
+  parameters.scan.volume = reading.volume;
+  parameters.scan.time = reading.time;
   phantom = opened.phantom;
 }
 
 Parameters recipeParameters(const Document& document) {
   Parameters parameters = document.parameters;
   if (document.phantom) parameters.phantom = *document.phantom;
+  parameters.scan.volume = document.reading.volume;
+  parameters.scan.time = document.reading.time;
   parameters.scan.half = document.reading.half;
   parameters.scan.cutLow = document.reading.cutLow;
   parameters.scan.cutHigh = document.reading.cutHigh;

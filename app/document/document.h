@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,8 @@ struct Opened {
   bool givesSpacing = true;                 // the scan's own file does; otherwise scan.spacing is its spacing
   bool isAnother = true;                    // not the one that is open, with another spacing
   std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
-  ScanOptions reading{};                    // half, cutLow and cutHigh: what was left out of it
+  ScanOptions reading{};  // volume, time, half, cutLow and cutHigh: which it is, and what was left out of it
+  std::filesystem::path source{};  // of a scan from a file, from which another time step may be asked for
 };
 
 // Version: what undo goes back to.
@@ -47,7 +49,8 @@ struct Document {
   std::string name;
   bool givesSpacing = true;
   std::optional<PhantomOptions> phantom;  // of the scan, where it is simulated
-  ScanOptions reading;                    // half, cutLow and cutHigh: what was left out of the scan
+  ScanOptions reading;           // volume, time, half, cutLow and cutHigh: which scan, and what was left out
+  std::filesystem::path source;  // of the scan, where it is from a file
   Parameters parameters;
   ErasedParts erased;
   History<Version> history;

@@ -20,7 +20,10 @@ void Session::adopt(Opened opened) {
     runner_.cancel();
   frame_ = {};
   frame_.scan = std::move(opened.scan);
+  steps_.clear();
+  asked_ = 0;
   warned_.clear();
+  ++opened_;
   ++revision_;
   submit(Goal::classified);
 }
@@ -43,6 +46,7 @@ void Session::change(const std::function<void(Document&)>& edit) {
     update(Goal::surface);
   }
   respace();
+  retime();
 }
 
 // Only the adaptive method is fast enough for that.

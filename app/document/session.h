@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,9 +10,11 @@
 #include "app/document/document.h"
 #include "app/document/document_state.h"
 #include "app/document/frame.h"
+#include "app/document/step_range.h"
 #include "app/document/worker.h"
 #include "core/io/image.h"
 #include "core/io/textured_mesh_writer.h"
+#include "core/io/volume_entry.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/runner.h"
 #include "core/volume/scan.h"
@@ -23,6 +26,13 @@ struct Message {
   enum class Kind { note, failure };
   Kind kind = Kind::note;
   std::string text;  // one sentence
+};
+
+// VolumeChoice: a file or folder with several volumes, of which the person chooses one.
+struct VolumeChoice {
+  std::filesystem::path path;
+  ScanOptions options;
+  std::vector<VolumeEntry> volumes;
 };
 
 // Activity: what goes on in the background.
@@ -45,6 +55,9 @@ class Session {
   // scan has none, the phantom brings its own.
   void openFile(const std::filesystem::path& path);
   void openPhantom();
+  // takeChoice: what openFile() found where the person has to choose; openVolume() opens one of them, counted from 1.
+  std::optional<VolumeChoice> takeChoice();
+  void openVolume(const VolumeChoice& choice, int volume);
   // givesSpacing: whether the scan's own file does; otherwise scan.spacing is its spacing.
   bool givesSpacing() const { return document_.givesSpacing; }
   bool hasScan() const { return frame_.scan.volume != nullptr; }
@@ -57,6 +70,9 @@ class Session {
   const Parameters& parameters() const { return document_.parameters; }
   void edit(const Parameters& parameters);
   void commitEdit();
+  // Another time step is one of the parameters, scan.time: its scan takes the place of the present one in the background, and
+  // everything else of the document goes along. isAtTime: whether the scan is of the time that was asked for.
+  bool isAtTime() const { return asked_ == 0; }
   // editParts: other parts of the surface, as one step for undo; the mesh follows whatever followsParameters() says.
   void editParts(const MeshOptions& mesh);
   bool canUndo() const { return document_.history.canUndo(); }
@@ -102,6 +118,9 @@ class Session {
   //   errors  Error: there is no surface, or what is erased has too many runs for a recipe; what goes wrong while it is
   //           written is a message
   void saveMesh(const std::filesystem::path& path);
+  // saveSequence: the surfaces of some time steps, as "face_0001.ply", ..., made of the present parameters, each as
+  // reconstruct() makes it, and one recipe.
+  void saveSequence(const std::filesystem::path& path, StepRange steps);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
   // saveSkin, savePicture: `make` is called in the background.
@@ -119,12 +138,17 @@ class Session {
   Activity activity() const;
   bool saving() const { return saver_.status().busy; }
   std::vector<Message> takeMessages();
+  // opened: grows whenever another scan, which is no other time step, takes the place of the present one.
+  std::uint64_t opened() const { return opened_; }
   // revision: grows whenever the scan or the results change; reconstructions: whenever a mesh that was asked for arrives.
   std::uint64_t revision() const { return revision_; }
   std::uint64_t reconstructions() const { return reconstructions_; }
 
  private:
   void adopt(Opened opened);
+  void openFile(const std::filesystem::path& path, const ScanOptions& options);
+  void retime();
+  void adoptStep(Scan scan);
   void takeRecipe(const std::string& text);
   // make: fills in what is opened, in the background
   void open(const std::string& label, Opened opened, std::function<void(Opened&, const Progress&)> make);
@@ -151,6 +175,9 @@ class Session {
   Document document_;
   Frame frame_;
   Key savedMesh_, savedErased_;  // of what was saved last
+  std::optional<VolumeChoice> choice_;
+  int asked_ = 0;           // the time step that is being read; 0: none
+  std::deque<Scan> steps_;  // other time steps of the recording, the last one seen first
   bool follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   MeshOrigin requested_;         // from what
@@ -158,7 +185,7 @@ class Session {
   bool failed_ = false;          // whether the last request did
   bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
   std::optional<Goal> delayed_;  // what to submit when it has
-  std::uint64_t revision_ = 0, reconstructions_ = 0;
+  std::uint64_t opened_ = 0, revision_ = 0, reconstructions_ = 0;
   std::vector<Message> messages_;
   std::vector<std::string> warned_;  // what was said of this document
   Worker opener_, saver_;

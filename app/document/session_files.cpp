@@ -32,20 +32,58 @@ void Session::open(const std::string& label, Opened opened,
                    [this, made] { adopt(std::move(*made)); }});
 }
 
-// A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next.
-void Session::openFile(const fs::path& path) {
-  const std::string name = path.filename().string();
-  ScanOptions options = document_.parameters.scan;
-  if (hasScan()) options.spacing = ScanOptions().spacing;
-  open("Opening " + name, {{}, name}, [path, options](Opened& opened, const Progress& progress) {
-    opened.scan = readScan(path, readOptions(options), progress);
-    opened.givesSpacing = opened.scan.spacingKnown;
-    if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
-    warnOfSpacing(opened.scan);
-    fitIntoMemory(opened.scan, options);
-    opened.reading = options;
-  });
+namespace {
+
+// What a scan is from its file to its place in a document.
+void fit(Opened& opened, const ScanOptions& options) {
+  opened.givesSpacing = opened.scan.spacingKnown;
+  if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
+  warnOfSpacing(opened.scan);
+  fitIntoMemory(opened.scan, options);
+  opened.reading = options;
 }
+
+}  // namespace
+
+// A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next,
+// nor is the time step.
+void Session::openFile(const fs::path& path) {
+  ScanOptions options = document_.parameters.scan;
+  if (hasScan()) {
+    options.spacing = ScanOptions().spacing;
+    options.volume = ScanOptions().volume;
+    options.time = ScanOptions().time;
+  }
+  openFile(path, options);
+}
+
+void Session::openVolume(const VolumeChoice& choice, int volume) {
+  ScanOptions options = choice.options;
+  options.volume = volume;
+  openFile(choice.path, options);
+}
+
+// Of several volumes a person chooses one, and then it is opened.
+void Session::openFile(const fs::path& path, const ScanOptions& options) {
+  const auto opened = std::make_shared<Opened>();
+  const auto choice = std::make_shared<VolumeChoice>(VolumeChoice{path, options, {}});
+  opened->name = path.filename().string();
+  opened->source = path;
+  const auto read = [opened, choice, path, options](const Progress& progress) {
+    if (options.volume == 0) choice->volumes = listVolumes(path, progress.cancelOnly());
+    if (choice->volumes.size() > 1) return;
+    opened->scan = readScan(path, readOptions(options), progress);
+    fit(*opened, options);
+  };
+  opener_.replace({"Opening " + opened->name, read, [this, opened, choice] {
+                     if (opened->scan.volume)
+                       adopt(std::move(*opened));
+                     else
+                       choice_ = std::move(*choice);
+                   }});
+}
+
+std::optional<VolumeChoice> Session::takeChoice() { return std::exchange(choice_, {}); }
 
 void Session::openPhantom() {
   Opened opened{{}, "Phantom", phantomLandmarks(document_.parameters.phantom)};
@@ -65,6 +103,7 @@ void Session::respace() {
   Opened opened{frame_.scan, document_.name};
   opened.givesSpacing = opened.isAnother = false;
   opened.reading = document_.reading;
+  opened.source = document_.source;
   open("Setting the spacing", std::move(opened),
        [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });
 }

@@ -28,7 +28,8 @@ void drawStatusBar(Workspace& workspace);
 // Windows of their own.
 void drawKeys(Workspace& workspace);
 void drawAbout(Workspace& workspace);
-void drawQuestion(Workspace& workspace);  // before unsaved work is lost
+void drawQuestion(Workspace& workspace);      // before unsaved work is lost
+void drawVolumeChoice(Workspace& workspace);  // which of several volumes in a file is opened
 float drawLog(Workspace& workspace);  // all messages, at the lower right; its height, 0 while it is closed
 
 }  // namespace sonoskin::ui

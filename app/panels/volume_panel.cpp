@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/panels/panels.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
@@ -37,6 +39,36 @@ void askSpacing(Workspace& workspace, bool known) {
   noteWidget("volume.applySpacing");
 }
 
+// The slider shows the step that was asked for; the picture follows.
+void drawStepSlider(Workspace& workspace, int steps) {
+  const bool plays = workspace.play.on;
+  if (ImGui::Button(plays ? "Stop" : "Play", {58 * unit(), 0})) play(workspace, !plays);
+  noteWidget("volume.play");
+  ImGui::SameLine();
+  int time = workspace.session.parameters().scan.time;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##time", &time, 1, steps, fmt::format("step %d of {}", steps).c_str(),
+                       ImGuiSliderFlags_AlwaysClamp))
+    showStep(workspace, time);
+  if (ImGui::IsItemDeactivatedAfterEdit()) workspace.session.commitEdit();
+  noteWidget("volume.time");
+}
+
+// Which steps are played and saved as a sequence.
+void drawStepRange(TimePlay& range, int steps) {
+  int first = std::clamp(range.first, 1, steps), last = range.last > 0 ? std::min(range.last, steps) : steps;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Range");
+  ImGui::SameLine(66 * unit());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::DragIntRange2("##range", &first, &last, 0.1f, 1, steps, "from %d", "to %d",
+                           ImGuiSliderFlags_AlwaysClamp)) {
+    range.first = first;
+    range.last = last;
+  }
+  noteWidget("volume.range");
+}
+
 std::string range(const Scan& scan) {
   return fmt::format("{} {:g} to {:g}", scan.originalType, scan.originalMin, scan.originalMax);
 }
@@ -60,6 +92,10 @@ void drawVolumePanel(Workspace& workspace) {
   fact("Spacing", scan.spacingKnown ? spacing : "unknown", !scan.spacingKnown);
   fact("Size", fmt::format("{:.0f} × {:.0f} × {:.0f} mm", size.x, size.y, size.z), !scan.spacingKnown);
   fact("Values", range(scan));
+  if (scan.timeSteps > 1) {
+    drawStepSlider(workspace, scan.timeSteps);
+    drawStepRange(workspace.play, scan.timeSteps);
+  }
   if (!session.givesSpacing()) askSpacing(workspace, scan.spacingKnown);
 }
 

@@ -17,6 +17,7 @@ enum class FilePurpose {
   openRecipe,
   saveRecipe,
   saveMesh,
+  saveSequence,
   savePrint,
   saveSkin,
   saveLitSkin,

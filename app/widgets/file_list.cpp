@@ -30,6 +30,8 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save recipe", "Save", true, FileKind::recipe};
     case FilePurpose::saveMesh:
       return {"Save mesh", "Save", true, FileKind::writtenMesh};
+    case FilePurpose::saveSequence:
+      return {"Save a mesh of each time step", "Save", true, FileKind::writtenMesh};
     case FilePurpose::savePrint:
       return {"Save for printing", "Save", true, FileKind::printedMesh};
     case FilePurpose::saveSkin:

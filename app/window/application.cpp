@@ -61,7 +61,7 @@ bool Application::attempt(const std::function<void()>& action) {
 double Application::waitSeconds() const {
   double seconds = workspace_.session.activity().busy ? kBusySeconds : kIdleSeconds;
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, kTextCursorSeconds);
-  for (const double wanted : {viewsWant_, toastsWant_}) {
+  for (const double wanted : {viewsWant_, toastsWant_, playWants_}) {
     if (wanted >= 0) seconds = std::min(seconds, wanted);
   }
   return seconds;
@@ -74,7 +74,8 @@ bool Application::frame() {
   attempt([&] { arrived = workspace_.session.poll(); });
   arrived |= log_.waiting();
   if (arrived) window_.requestFrames();
-  const bool due = busy || viewsWant_ >= 0 || toastsWant_ >= 0 || ImGui::GetIO().WantTextInput;
+  const bool due =
+      busy || viewsWant_ >= 0 || toastsWant_ >= 0 || playWants_ >= 0 || ImGui::GetIO().WantTextInput;
   if (event || arrived || due) draw();
   if (window_.closeRequested()) attempt([this] { answerClosing(); });
   return !workspace_.quit || workspace_.session.saving();
@@ -104,8 +105,12 @@ void Application::updateDocument() {
     else
       workspace_.toasts.add(entry.sentence, false);
   }
+  if (auto choice = session.takeChoice()) workspace_.choice = std::move(choice);
+  playWants_ = playOn(workspace_);
   const Scan& scan = session.scan();
-  if (shownVolume_.see({scan.volume})) {
+  if (session.opened() != opened_) {
+    opened_ = session.opened();
+    workspace_.play = {};
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;
     resetView(workspace_.view, scan, session.beam());
@@ -123,7 +128,9 @@ void Application::updateDocument() {
 }
 
 void Application::draw() {
-  const auto isAsking = [this] { return workspace_.files.purpose || workspace_.question; };
+  const auto isAsking = [this] {
+    return workspace_.files.purpose || workspace_.question || workspace_.choice;
+  };
   const bool asked = isAsking();
   std::optional<Event> event;
   const bool begun = attempt([&] {
@@ -161,6 +168,7 @@ void Application::drawInterface() {
   ui::drawKeys(workspace_);
   ui::drawAbout(workspace_);
   ui::drawQuestion(workspace_);
+  ui::drawVolumeChoice(workspace_);
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float below = ui::drawLog(workspace_);
   toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),

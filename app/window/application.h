@@ -56,9 +56,10 @@ class Application {
   Workspace workspace_;
   ui::FourUp views_;
   std::string title_;
-  ObjectsSeen<1> shownPoints_, shownVolume_;  // what the views were last reset for
-  std::uint64_t reconstructions_ = 0;         // seen so far
-  double viewsWant_ = -1, toastsWant_ = -1;
+  ObjectsSeen<1> shownPoints_;  // what the views were last reset for
+  std::uint64_t opened_ = 0;
+  std::uint64_t reconstructions_ = 0;  // seen so far
+  double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;
   bool glErrorTold_ = false;
 };
 

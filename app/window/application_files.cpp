@@ -27,6 +27,8 @@ void Application::act(const ui::FileChoice& choice) {
       return session.saveRecipe(choice.path);
     case ui::FilePurpose::saveMesh:
       return session.saveMesh(choice.path);
+    case ui::FilePurpose::saveSequence:
+      return session.saveSequence(choice.path, stepsOf(workspace_));
     case ui::FilePurpose::savePrint:
       return session.savePrint(choice.path);
     case ui::FilePurpose::saveSkin:

@@ -77,6 +77,8 @@ void proposeParts(W& w) {
   w.session.editParts(mesh);
 }
 
+bool hasSteps(const W& w) { return w.session.hasScan() && w.session.scan().timeSteps > 1; }
+
 bool showsSkin(const W& w) {
   return w.view.content == SpaceContent::mesh && w.view.meshStyle == MeshStyle::skin && hasMesh(w);
 }
@@ -104,8 +106,9 @@ const Tool* chosenTool(const W& w) {
 
 // Escape ends what is most in the way.
 void escape(W& w) {
-  if (w.question) {
+  if (w.question || w.choice) {
     w.question.reset();
+    w.choice.reset();
   } else if (const Tool* tool = chosenTool(w)) {
     putAway(w.view, *tool);
   } else if (busy(w)) {
@@ -114,7 +117,7 @@ void escape(W& w) {
     w.view.maximised.reset();
   }
 }
-bool canEscape(const W& w) { return w.question || chosenTool(w) || busy(w) || w.view.maximised; }
+bool canEscape(const W& w) { return w.question || w.choice || chosenTool(w) || busy(w) || w.view.maximised; }
 
 constexpr Shortcut key(int k) { return {k, false, false}; }
 constexpr Shortcut control(int k) { return {k, true, false}; }
@@ -131,6 +134,8 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::saveRecipe, w.settings.folder, "sonoskin.recipe.json"); }},
   {"file.saveMesh", "Save mesh...", Menu::file, control(GLFW_KEY_S),
    [](W& w) { w.files.ask(ui::FilePurpose::saveMesh, w.settings.folder, w.session.proposedName(".ply")); }, hasMesh, nullptr, true},
+  {"file.saveSequence", "Save a mesh of each time step...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveSequence, w.settings.folder, w.session.proposedName(".ply")); }, hasSteps},
   {"file.savePrint", "Save for printing...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::savePrint, w.settings.folder, w.session.proposedName(".stl")); }, hasMesh},
   {"file.saveSkin", "Save surface with skin...", Menu::file, {},
@@ -153,6 +158,10 @@ const Command kCommands[] = {
 
   {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtFace(); }, hasScan},
   {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
+  {"view.play", "Play the recording", Menu::view, key(GLFW_KEY_SPACE), [](W& w) { play(w, !w.play.on); }, hasSteps,
+   [](const W& w) { return w.play.on; }, true},
+  {"view.nextStep", "Next time step", Menu::view, key(GLFW_KEY_PERIOD), [](W& w) { stepBy(w, 1); }, hasSteps},
+  {"view.previousStep", "Time step before", Menu::view, key(GLFW_KEY_COMMA), [](W& w) { stepBy(w, -1); }, hasSteps},
   {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
    [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},
   {"view.classified", "Slices: classified", Menu::view, key(GLFW_KEY_2),

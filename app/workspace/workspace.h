@@ -10,6 +10,7 @@
 #include "app/widgets/file_dialog.h"
 #include "app/widgets/toasts.h"
 #include "app/workspace/settings.h"
+#include "app/workspace/time_play.h"
 #include "app/workspace/view_state.h"
 
 namespace sonoskin {
@@ -37,6 +38,8 @@ struct Workspace {
   ui::FileDialog files;
   ui::Toasts toasts;
   std::optional<Question> question;
+  std::optional<VolumeChoice> choice;  // of several volumes in a file, which the person is asked to make
+  TimePlay play;
   bool keysShown = false, aboutShown = false;
   glm::dvec3 typedSpacing{1};  // mm; for files that give none
   std::string glInfo;          // the driver's words

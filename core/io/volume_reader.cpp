@@ -22,9 +22,8 @@ LoadedVolume load(const fs::path& path, const ReadOptions& options, const Progre
 
 // What of a file is used where it holds more. Does not name it: its name may be a patient's.
 void noteChoices(const StoredVolume& stored, int time, const char* what) {
-  if (stored.timeSteps > 1)
-    log(LogLevel::info,
-        fmt::format("The {} has {} time steps; step {} is used.", what, stored.timeSteps, time));
+  if (stored.timeSteps > 1 && time == 1)
+    log(LogLevel::info, fmt::format("The {} has {} time steps; the first is used.", what, stored.timeSteps));
   if (stored.components > 1) log(LogLevel::info, fmt::format("The {} is in colour; its grey is used.", what));
 }
 

@@ -26,6 +26,7 @@ Key preparedKey(const Key& volume, const Parameters& p) {
   Hasher hasher("prepared");
   hasher.add(volume).add(p.classification.lowPass).add(p.classification.directionScale);
   ScanOptions scan = p.scan;  // what is left out of the volume its own key tells
+  scan.volume = 0, scan.time = 1;
   scan.half = false;
   scan.cutLow = scan.cutHigh = {};
   addOptions(hasher, scan);

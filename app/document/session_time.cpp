@@ -1,0 +1,106 @@
+// The session's time steps: scans of one recording, which share a document.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/document/input.h"
+#include "app/document/session.h"
+#include "app/document/time_steps.h"
+#include "core/base/error.h"
+#include "core/io/file_formats.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/volume_reader.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+// What is kept of a recording beside the step that is looked at: those that were seen last.
+constexpr std::size_t kKeptSteps = 16, kKeptBytes = 256u << 20;
+
+std::size_t bytesOf(const Scan& scan) { return scan.volume->data.size() * sizeof(float); }
+
+void keep(std::deque<Scan>& steps, Scan scan) {
+  scan.erased.reset();
+  steps.push_front(std::move(scan));
+  std::size_t bytes = 0, count = 0;
+  while (count < std::min(steps.size(), kKeptSteps) && bytes + bytesOf(steps[count]) <= kKeptBytes)
+    bytes += bytesOf(steps[count++]);
+  steps.resize(count);
+}
+
+// A step as the document's first one was read.
+Scan readStep(const fs::path& source, ScanOptions options, int time, const Progress& progress) {
+  options.time = time;
+  Scan scan = readScan(source, readOptions(options), progress);
+  if (!scan.spacingKnown) setSpacing(scan, options.spacing);
+  fitIntoMemory(scan, options);
+  return scan;
+}
+
+}  // namespace
+
+// Asked for once, whether or not there is such a step; a slider that moves on replaces what it asked for.
+void Session::retime() {
+  const int time = document_.parameters.scan.time;
+  if (!hasScan() || document_.source.empty() || time == asked_) return;
+  if (time == frame_.scan.time) {
+    if (asked_ != 0) opener_.cancel();
+    asked_ = 0;
+    return;
+  }
+  asked_ = time;
+  const auto kept = std::ranges::find_if(steps_, [time](const Scan& scan) { return scan.time == time; });
+  if (kept != steps_.end()) {
+    Scan scan = std::move(*kept);
+    steps_.erase(kept);
+    return adoptStep(std::move(scan));
+  }
+  ScanOptions options = document_.reading;
+  options.spacing = document_.parameters.scan.spacing;
+  const auto scan = std::make_shared<Scan>();
+  opener_.replace({fmt::format("Reading time step {}", time),
+                   [scan, source = document_.source, options, time](const Progress& progress) {
+                     *scan = readStep(source, options, time, progress);
+                   },
+                   [this, scan] { adoptStep(std::move(*scan)); }});
+}
+
+// The document stays as it is: landmarks, box, erased parts and look go along. What was made of the step before stays in
+// sight until there is something newer.
+void Session::adoptStep(Scan scan) {
+  keep(steps_, std::exchange(frame_.scan, std::move(scan)));
+  document_.reading.time = frame_.scan.time;
+  asked_ = 0;
+  runner_.cancel();
+  ++revision_;
+  submit(Goal::classified);
+}
+
+void Session::saveSequence(const fs::path& path, StepRange steps) {
+  require(hasScan() && !document_.source.empty(), "There is no recording to save surfaces of; open one.");
+  requireFormat(FileKind::writtenMesh, path);
+  Parameters parameters = recipeParameters(document_);
+  parameters.print.form = PrintForm::none;
+  ScanOptions options = document_.reading;
+  options.spacing = document_.parameters.scan.spacing;
+  const auto load = [source = document_.source, options, erased = document_.erased.snapshot(),
+                     key = document_.erased.key()](int time, const Progress& progress) {
+    Scan scan = readStep(source, options, time, progress);
+    scan.erased = erased;
+    scan.erasedKey = key;
+    return scan;
+  };
+  const auto write = [path](const StepSurface& step, const Progress& progress) {
+    const std::string name =
+        fmt::format("{}_{:04}{}", path.stem().string(), step.time, path.extension().string());
+    writeMesh(path.parent_path() / name, *step.results.mesh, progress);
+  };
+  save(path, recipeNow(), [load, parameters, steps, write](const Progress& progress) {
+    makeSurfaces(load, parameters, steps, write, progress);
+  });
+}
+
+}  // namespace sonoskin
