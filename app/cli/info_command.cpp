@@ -35,6 +35,11 @@ std::string infoJson(const std::string& name, const VolumeInfo& info) {
   json["spacing_known"] = info.spacingKnown;
   json["origin_mm"] = vectorJson(g.origin);
   json["direction"] = {vectorJson(g.direction[0]), vectorJson(g.direction[1]), vectorJson(g.direction[2])};
+  json["mirrored"] = g.mirrors();
+  if (info.grid) {
+    const glm::ivec3 samples = gridDims(*info.grid);
+    json["converted_from"] = {{"grid", gridName(*info.grid)}, {"samples", {samples.x, samples.y, samples.z}}};
+  }
   json["number_type"] = info.numberType;
   json["components"] = info.components;
   json["time_steps"] = info.timeSteps;
@@ -67,6 +72,12 @@ std::string infoText(const std::string& name, const VolumeInfo& info) {
   for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec3& d = g.direction[axis];
     text += fmt::format("  axis {}     {:.4g}, {:.4g}, {:.4g}\n", "ijk"[axis], d.x, d.y, d.z);
+  }
+  if (g.mirrors()) text += "  mirrored   the axes are left-handed\n";
+  if (info.grid) {
+    const glm::ivec3 samples = gridDims(*info.grid);
+    text += fmt::format("  converted  from a {} of {} x {} x {} samples\n", gridName(*info.grid), samples.x,
+                        samples.y, samples.z);
   }
   text += fmt::format("  numbers    {} x {}, {:g} .. {:g}\n", info.components, info.numberType, info.valueMin,
                       info.valueMax);

@@ -4,14 +4,16 @@
 
 namespace sonoskin {
 
-// ReadOptions: what is read of a file that holds more than one volume.
+// ReadOptions: what is read of a file, and how.
 //   volume  which of several volumes, counted from 1 as listVolumes does; 0: there must be one alone
 //   time    which of its time steps, counted from 1
+//   voxel   mm, the edge of voxels that samples of a probe's beams are converted to; 0: chosen (core/volume/scan_convert.h)
 struct ReadOptions {
   int volume = 0;
   int time = 1;
+  double voxel = 0;
 };
 
-inline ReadOptions readOptions(const ScanOptions& scan) { return {scan.volume, scan.time}; }
+inline ReadOptions readOptions(const ScanOptions& scan) { return {scan.volume, scan.time, scan.voxel}; }
 
 }  // namespace sonoskin

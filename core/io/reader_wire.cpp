@@ -93,7 +93,32 @@ void walkMesh(F& f, M& m) {
 
 bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+// The same order for both ways. G: SampleGrid's kinds, const where they are written.
+template <class F, class G>
+requires std::is_same_v<std::remove_const_t<G>, SweptGrid>
+void walkGrid(F& f, G& g) {
+  f(g.samples), f(g.firstRadius), f(g.sampleDistance), f(g.axisDepth), f(g.fan), f(g.sweep), f(g.parallel);
+}
+template <class F, class G>
+requires std::is_same_v<std::remove_const_t<G>, PyramidGrid>
+void walkGrid(F& f, G& g) { f(g.dims), f(g.lateral), f(g.depth), f(g.aperture), f(g.growth); }
+
+void writeGrid(const Writer& f, const std::optional<SampleGrid>& grid) {
+  f(std::uint8_t(grid ? 1 + grid->index() : 0));
+  if (grid) std::visit([&](const auto& g) { walkGrid(f, g); }, *grid);
+}
+
+void takeGrid(ByteReader& f, std::optional<SampleGrid>& grid) {
+  std::uint8_t kind = 0;
+  if (f(kind); kind == 0) return;
+  if (kind == 1)
+    walkGrid(f, std::get<SweptGrid>(grid.emplace(SweptGrid{})));
+  else
+    walkGrid(f, std::get<PyramidGrid>(grid.emplace(PyramidGrid{})));
+}
+
 void writeOptionals(const Writer& f, const StoredVolume& s) {
+  writeGrid(f, s.grid);
   f(std::uint8_t(s.unitRange.has_value()));
   if (s.unitRange) f(s.unitRange->first), f(s.unitRange->second);
   f(std::uint8_t(s.beam.has_value()));
@@ -104,6 +129,7 @@ void writeOptionals(const Writer& f, const StoredVolume& s) {
 }
 
 void takeOptionals(ByteReader& f, StoredVolume& s) {
+  takeGrid(f, s.grid);
   bool has = false;
   if (f(has); has) f(s.unitRange.emplace().first), f(s.unitRange->second);
   if (f(has); !has) return;
@@ -124,6 +150,7 @@ bool isSound(const LoadedVolume& v) {
   if (s.beam &&
       !(isFinite(s.beam->axis) && isFinite(s.beam->up) && isFinite(s.beam->apex.value_or(glm::dvec3(0)))))
     return false;
+  if (s.grid && (gridFault(*s.grid) || gridDims(*s.grid) != s.geometry.dims)) return false;
   const double expected =
       double(s.geometry.voxels()) * double(s.components) * double(numberTypeBytes(s.type));
   return double(v.numbers.size()) == expected;

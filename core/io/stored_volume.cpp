@@ -1,9 +1,7 @@
 #include "core/io/stored_volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 #include "core/base/error.h"
 
@@ -12,21 +10,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kMaxVoxels = std::uint64_t(1) << 31;
-
-struct TypeFacts {
-  std::string_view name;
-  std::size_t bytes;
-};
-constexpr std::array<TypeFacts, 10> kTypes{{{"int8", 1},
-                                            {"uint8", 1},
-                                            {"int16", 2},
-                                            {"uint16", 2},
-                                            {"int32", 4},
-                                            {"uint32", 4},
-                                            {"int64", 8},
-                                            {"uint64", 8},
-                                            {"float32", 4},
-                                            {"float64", 8}}};
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -64,23 +47,6 @@ constexpr double kLeastExtent = 0.05, kMostExtent = 10'000, kFarthestOrigin = 10
 constexpr double kMostAnisotropic = 1000;  // largest spacing beside the smallest
 
 }  // namespace
-
-std::string_view numberTypeName(NumberType type) { return kTypes[std::size_t(type)].name; }
-std::size_t numberTypeBytes(NumberType type) { return kTypes[std::size_t(type)].bytes; }
-
-std::optional<NumberType> numberTypeOf(std::string_view name) {
-  static const std::map<std::string_view, NumberType> types{
-      {"char", NumberType::int8},          {"unsigned_char", NumberType::uint8},
-      {"short", NumberType::int16},        {"unsigned_short", NumberType::uint16},
-      {"int", NumberType::int32},          {"unsigned_int", NumberType::uint32},
-      {"long", NumberType::int64},         {"unsigned_long", NumberType::uint64},
-      {"long_long", NumberType::int64},    {"unsigned_long_long", NumberType::uint64},
-      {"vtktypeint64", NumberType::int64}, {"vtktypeuint64", NumberType::uint64},
-      {"float", NumberType::float32},      {"double", NumberType::float64}};
-  const auto found = types.find(name);
-  if (found == types.end()) return {};
-  return found->second;
-}
 
 void checkTime(int time, int timeSteps, const fs::path& path) {
   require(time >= 1 && time <= timeSteps, "{} has {} time step{}; there is no step {} (scan.time).",

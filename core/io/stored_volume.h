@@ -8,17 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/number_type.h"
 #include "core/io/padding.h"
+#include "core/volume/sample_grid.h"
 #include "core/volume/scan.h"
 
 namespace sonoskin {
-
-// NumberType: how a file stores one number.
-enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
-std::string_view numberTypeName(NumberType type);  // "uint8", ...
-std::size_t numberTypeBytes(NumberType type);
-// numberTypeOf: of the name that ITK and VTK use, such as "unsigned_char"; nothing where it is not known here.
-std::optional<NumberType> numberTypeOf(std::string_view name);
 
 // StoredVolume: what the numbers that were read from a file or series mean.
 struct StoredVolume {
@@ -33,6 +28,7 @@ struct StoredVolume {
   std::vector<Padding>
       padding;  // numbers that mean nothing was recorded: of all, or of each slice; none: not told
   std::optional<Beam> beam;
+  std::optional<SampleGrid> grid{};  // samples of a probe, not yet voxels: `geometry` has their number alone
   std::string
       modality{};  // DICOM's word for the machine: "US", "CT", ...; empty where the file does not tell
 };

@@ -1,24 +1,17 @@
 #include "core/io/volume_loader.h"
 
-#include <cstring>
-
 #include "core/base/error.h"
 #include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
 #include "core/io/itk_files.h"
+#include "core/io/kretz_file.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-FileFormat formatOf(const fs::path& path) {
-  const std::vector<std::uint8_t> start = readBytes(path, 132);
-  constexpr std::string_view kKretz = "KRETZFILE";
-  require(start.size() < kKretz.size() || std::memcmp(start.data(), kKretz.data(), kKretz.size()) != 0,
-          "{} is a GE Kretz file, which is not read yet; export it as NRRD with 3D Slicer.", path.string());
-  return volumeFormat(path, start);
-}
+FileFormat formatOf(const fs::path& path) { return volumeFormat(path, readBytes(path, 132)); }
 
 DeclaredData declaredData(FileFormat format, const fs::path& path) {
   switch (format) {
@@ -42,6 +35,7 @@ LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const 
     checkGeometry(series.stored, path);
     return series;
   }
+  if (format == FileFormat::kretz) return readKretzFile(path, options, progress);
   require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
           options.volume);
   const DeclaredData data = declaredData(format, path);
@@ -51,7 +45,9 @@ LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const 
 
 std::vector<VolumeEntry> volumesIn(const fs::path& path, const Progress& progress) {
   const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path);
-  return format == FileFormat::dicom ? dicomVolumes(path, progress) : std::vector<VolumeEntry>();
+  if (format == FileFormat::dicom) return dicomVolumes(path, progress);
+  if (format == FileFormat::kretz) return kretzVolumes(readBytes(path), path);
+  return {};
 }
 
 }  // namespace sonoskin

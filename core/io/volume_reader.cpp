@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/base/available_memory.h"
 #include "core/base/log.h"
-#include "core/io/normalise.h"
+#include "core/io/loaded_scan.h"
 #include "core/io/reader_process.h"
 #include "core/io/reader_wire.h"
 #include "core/io/volume_loader.h"
-#include "core/volume/scan_size.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -28,23 +26,9 @@ void noteChoices(const StoredVolume& stored, int time, const char* what) {
 }
 
 Scan read(const fs::path& path, const ReadOptions& options, const Progress& progress, bool isScan) {
-  const LoadedVolume loaded = load(path, options, progress.part(0, 0.6));
-  requireMemory(loaded.stored.geometry, kBytesToRead, availableMemory());
-  NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1), isScan);
-  Scan scan;
-  scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));
-  scan.originalMin = normalised.originalMin;
-  scan.originalMax = normalised.originalMax;
-  scan.originalType = numberTypeName(loaded.stored.type);
-  scan.spacingKnown = loaded.stored.spacingKnown;
-  scan.beam = loaded.stored.beam;
-  scan.modality = loaded.stored.modality;
-  scan.timeSteps = loaded.stored.timeSteps;
-  scan.time = options.time;
-  scan.stepSeconds = loaded.stored.stepSeconds;
-  scan.key = scanKey(*scan.volume, scan.beam);
+  LoadedVolume loaded = load(path, options, progress.part(0, 0.6));
   noteChoices(loaded.stored, options.time, isScan ? "scan" : "mask");
-  return scan;
+  return scanOf(std::move(loaded), options, isScan, progress.part(0.6, 1)).scan;
 }
 
 }  // namespace
@@ -61,21 +45,22 @@ std::vector<VolumeEntry> listVolumes(const fs::path& path, const Progress& progr
 Scan readMarks(const fs::path& path, const Progress& progress) { return read(path, {}, progress, false); }
 
 VolumeInfo readVolumeInfo(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  const LoadedVolume loaded = load(path, options, progress.part(0, 0.6));
-  const NormalisedVolume normalised = normalise(loaded.stored, loaded.numbers, progress.part(0.6, 1));
+  LoadedVolume loaded = load(path, options, progress.part(0, 0.6));
   VolumeInfo info;
   info.format = loaded.stored.format;
-  info.geometry = loaded.stored.geometry;
-  info.spacingKnown = loaded.stored.spacingKnown;
-  info.numberType = numberTypeName(loaded.stored.type);
   info.components = loaded.stored.components;
-  info.timeSteps = loaded.stored.timeSteps;
-  info.stepSeconds = loaded.stored.stepSeconds;
-  info.valueMin = normalised.valueMin;
-  info.valueMax = normalised.valueMax;
   info.bytes = loaded.bytes;
-  info.beam = loaded.stored.beam;
-  info.key = scanKey(normalised.volume, info.beam);
+  info.grid = loaded.stored.grid;
+  const auto [scan, valueMin, valueMax] = scanOf(std::move(loaded), options, true, progress.part(0.6, 1));
+  info.geometry = scan.volume->geometry;
+  info.spacingKnown = scan.spacingKnown;
+  info.numberType = scan.originalType;
+  info.timeSteps = scan.timeSteps;
+  info.stepSeconds = scan.stepSeconds;
+  info.valueMin = valueMin;
+  info.valueMax = valueMax;
+  info.beam = scan.beam;
+  info.key = scan.key;
   return info;
 }
 

@@ -8,12 +8,13 @@
 #include "core/base/progress.h"
 #include "core/io/read_options.h"
 #include "core/io/volume_entry.h"
+#include "core/volume/sample_grid.h"
 #include "core/volume/scan.h"
 
 namespace sonoskin {
 
 // readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI-1 (.nii, .nii.gz), VTK legacy
-// (.vtk), or a DICOM series (its folder or one of its files; the largest series of several).
+// (.vtk), GE Kretz (.vol), or a DICOM series (its folder or one of its files; the largest series of several).
 //   output  intensities in [0, 1] (core/io/normalise.h tells how); world mm, LPS; of several time steps the one that the options name.
 //           spacingKnown is false where the file gives none: the caller must say so
 //   errors  Error: no such file, an unknown format, a file that is damaged, incomplete, flat or too large, each in one
@@ -45,7 +46,9 @@ struct VolumeInfo {
   double valueMin = 0, valueMax = 0;  // least and greatest finite value of that time step
   std::uintmax_t bytes = 0;           // of the file or files
   std::optional<Beam> beam;
-  Key key;  // the fingerprint that a recipe of this volume holds (scanKey)
+  std::optional<SampleGrid>
+      grid;  // of the samples that were converted to `geometry`; none: the file has voxels
+  Key key;   // the fingerprint that a recipe of this volume holds (scanKey)
 };
 
 // readVolumeInfo: reads the file as readScan does and tells what is in it.

@@ -48,7 +48,26 @@ Volume<float> halveResolution(const Volume<float>& volume, const Progress& progr
   return result;
 }
 
-Volume<float> cropVolume(const Volume<float>& volume, const glm::ivec3& first, const glm::ivec3& dims) {
+Volume<std::uint8_t> halveMask(const Volume<std::uint8_t>& mask, const Progress& progress) {
+  const glm::ivec3 block = blockOf(mask.geometry);
+  Volume<std::uint8_t> result(coarser(mask.geometry, block), 1);
+  const glm::ivec3 dims = result.geometry.dims;
+  parallelFor(
+      dims.z,
+      [&](std::ptrdiff_t k) {
+        for (int j = 0; j < dims.y * block.y; ++j)
+          for (int dk = 0; dk < block.z; ++dk) {
+            std::uint8_t* out = &result.at(0, j / block.y, int(k));
+            const std::uint8_t* in = &mask.at(0, j, int(k) * block.z + dk);
+            for (int i = 0; i < dims.x * block.x; ++i) out[i / block.x] &= in[i] != 0;
+          }
+      },
+      progress);
+  return result;
+}
+
+template <class T>
+Volume<T> cropVolume(const Volume<T>& volume, const glm::ivec3& first, const glm::ivec3& dims) {
   const Geometry& g = volume.geometry;
   require(glm::all(glm::greaterThan(dims, glm::ivec3(0))) &&
               glm::all(glm::greaterThanEqual(first, glm::ivec3(0))) &&
@@ -57,13 +76,16 @@ Volume<float> cropVolume(const Volume<float>& volume, const glm::ivec3& first, c
   Geometry cut = g;
   cut.dims = dims;
   cut.origin = g.toWorld(glm::dvec3(first));
-  Volume<float> result(cut);
+  Volume<T> result(cut);
   for (int k = 0; k < dims.z; ++k)
     for (int j = 0; j < dims.y; ++j) {
-      const float* row = &volume.at(first.x, first.y + j, first.z + k);
+      const T* row = &volume.at(first.x, first.y + j, first.z + k);
       std::copy(row, row + dims.x, &result.at(0, j, k));
     }
   return result;
 }
+
+template Volume<float> cropVolume(const Volume<float>&, const glm::ivec3&, const glm::ivec3&);
+template Volume<std::uint8_t> cropVolume(const Volume<std::uint8_t>&, const glm::ivec3&, const glm::ivec3&);
 
 }  // namespace sonoskin

@@ -10,8 +10,12 @@ namespace sonoskin {
 //   errors   Cancelled
 Volume<float> halveResolution(const Volume<float>& volume, const Progress& progress = {});
 
+// halveMask: the mask of such a volume: 1 where all voxels that became one were inside, else 0.
+Volume<std::uint8_t> halveMask(const Volume<std::uint8_t>& mask, const Progress& progress = {});
+
 // cropVolume: the part of a volume that begins at voxel `first` and has `dims` voxels; it stays where it is in the world.
 //   errors   Error: no voxel along an axis, or not inside the volume
-Volume<float> cropVolume(const Volume<float>& volume, const glm::ivec3& first, const glm::ivec3& dims);
+template <class T>
+Volume<T> cropVolume(const Volume<T>& volume, const glm::ivec3& first, const glm::ivec3& dims);
 
 }  // namespace sonoskin

@@ -150,7 +150,9 @@ void setMask(Scan& scan, const Scan& mask) {
   auto inside =
       std::make_shared<Volume<std::uint8_t>>(notZeroInFile(mask, scan.volume->geometry, "mask", 0.5));
   require(!isZero(*inside), "the mask is zero everywhere: it must not be zero where something was scanned");
-  scan.key = Hasher("masked").add(scan.key).add(std::span<const std::uint8_t>(inside->data)).key();
+  if (scan.mask)  // what a probe did not scan is no part of the volume, whatever another mask says
+    for (std::size_t v = 0; v < inside->data.size(); ++v) inside->data[v] &= scan.mask->data[v] != 0;
+  scan.key = maskedKey(scan.key, *inside);
   scan.mask = std::move(inside);
 }
 
@@ -163,6 +165,10 @@ void setErased(Scan& scan, const Scan& erased) {
 void setErased(Scan& scan, Volume<std::uint8_t> erased) {
   scan.erasedKey = Hasher("erased").add(std::span<const std::uint8_t>(erased.data)).key();
   scan.erased = std::make_shared<const Volume<std::uint8_t>>(std::move(erased));
+}
+
+Key maskedKey(const Key& scan, const Volume<std::uint8_t>& mask) {
+  return Hasher("masked").add(scan).add(std::span<const std::uint8_t>(mask.data)).key();
 }
 
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam) {

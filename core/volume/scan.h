@@ -81,6 +81,9 @@ void setErased(Scan& scan, const Scan& erased);
 // The same of a volume on the scan's own grid.
 void setErased(Scan& scan, Volume<std::uint8_t> erased);
 
+// maskedKey: the fingerprint of a scan of that key with a mask.
+Key maskedKey(const Key& scan, const Volume<std::uint8_t>& mask);
+
 // scanKey: the fingerprint of geometry, voxels and beam.
 Key scanKey(const Volume<float>& volume, const std::optional<Beam>& beam);
 

@@ -24,6 +24,7 @@ struct ScanOptions {
   std::array<double, 3> apex{0, 0, 0};
   std::array<double, 3> spacing{0, 0, 0};
   int volume = 0, time = 1;
+  double voxel = 0;
   bool half = false;
   std::array<double, 3> cutLow{0, 0, 0}, cutHigh{0, 0, 0};
 };
@@ -48,6 +49,12 @@ void fields(F&& f, O& o) {
           "is opened next"},
     o.volume, Range{0, 10000});
   f(Field{"time", "which time step of a recording in time, counted from 1"}, o.time, Range{1, 100000});
+  f(Field{"voxel",
+          "edge of the voxels that samples of a probe's beams are converted to, for files that hold those; "
+          "0: "
+          "as fine as they were sampled; when it is opened next",
+          "mm"},
+    o.voxel, Range{0.0, 10.0});
   f(Field{"half",
           "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},
     o.half);

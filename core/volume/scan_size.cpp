@@ -11,9 +11,13 @@
 namespace sonoskin {
 namespace {
 
-// The volume without what lies within some mm of its sides.
-Volume<float> cutVolume(const Volume<float>& volume, const ScanOptions& options) {
-  const Geometry& g = volume.geometry;
+// VoxelBox: voxels from `first` on.
+struct VoxelBox {
+  glm::ivec3 first, dims;
+};
+
+// The voxels of a volume but for what lies within some mm of its sides.
+VoxelBox boxLeft(const Geometry& g, const ScanOptions& options) {
   glm::ivec3 first, last;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = std::size_t(axis);
@@ -26,7 +30,12 @@ Volume<float> cutVolume(const Volume<float>& volume, const ScanOptions& options)
     first[axis] = int(low);
     last[axis] = int(high);
   }
-  return cropVolume(volume, first, last - first + 1);
+  return {first, last - first + 1};
+}
+
+template <class T>
+std::shared_ptr<const Volume<T>> cut(const Volume<T>& volume, const VoxelBox& box) {
+  return std::make_shared<const Volume<T>>(cropVolume(volume, box.first, box.dims));
 }
 
 }  // namespace
@@ -34,10 +43,18 @@ Volume<float> cutVolume(const Volume<float>& volume, const ScanOptions& options)
 void reduceScan(Scan& scan, const ScanOptions& options, const Progress& progress) {
   const std::array<double, 3> nothing{};
   const bool cuts = options.cutLow != nothing || options.cutHigh != nothing;
-  if (cuts) scan.volume = std::make_shared<const Volume<float>>(cutVolume(*scan.volume, options));
-  if (options.half)
+  if (!cuts && !options.half) return;
+  if (cuts) {
+    const VoxelBox box = boxLeft(scan.volume->geometry, options);
+    scan.volume = cut(*scan.volume, box);
+    if (scan.mask) scan.mask = cut(*scan.mask, box);
+  }
+  if (options.half) {
+    if (scan.mask) scan.mask = std::make_shared<const Volume<std::uint8_t>>(halveMask(*scan.mask, progress));
     scan.volume = std::make_shared<const Volume<float>>(halveResolution(*scan.volume, progress));
-  if (cuts || options.half) scan.key = scanKey(*scan.volume, scan.beam);
+  }
+  scan.key = scanKey(*scan.volume, scan.beam);
+  if (scan.mask) scan.key = maskedKey(scan.key, *scan.mask);
 }
 
 void requireMemory(const Geometry& geometry, double bytesPerVoxel, std::size_t available) {
