@@ -8,6 +8,8 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(EXPAT REQUIRED)
+find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(glfw3 3.3 REQUIRED)
 find_package(X11 REQUIRED)  # tells when events happened, which GLFW does not
@@ -32,6 +34,12 @@ find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)
 add_library(libdeflate::libdeflate UNKNOWN IMPORTED)
 set_target_properties(libdeflate::libdeflate PROPERTIES IMPORTED_LOCATION ${LIBDEFLATE_LIBRARY}
                       INTERFACE_INCLUDE_DIRECTORIES ${LIBDEFLATE_INCLUDE_DIR})
+
+find_path(MINIZIP_INCLUDE_DIR minizip/unzip.h REQUIRED)
+find_library(MINIZIP_LIBRARY minizip REQUIRED)
+add_library(minizip::minizip UNKNOWN IMPORTED)
+set_target_properties(minizip::minizip PROPERTIES IMPORTED_LOCATION ${MINIZIP_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${MINIZIP_INCLUDE_DIR})
 
 find_path(QHULL_INCLUDE_DIR libqhull_r/libqhull_r.h REQUIRED)
 find_library(QHULL_LIBRARY qhull_r REQUIRED)

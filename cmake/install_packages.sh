@@ -8,13 +8,13 @@ packages=(
   g++ cmake ninja-build python3 python3-glad
   # data: ITK brings its own dependencies; the others are small or headers only
   libinsighttoolkit5-dev libassimp-dev libxxhash-dev libqhull-dev libstb-dev zlib1g-dev libdeflate-dev
-  libmeshoptimizer-dev
+  libmeshoptimizer-dev libexpat1-dev libminizip-dev libdraco-dev
   libeigen3-dev libnanoflann-dev libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # pictures and window: GLVND's headers, Mesa's software rasteriser, OSMesa (loaded when asked for)
   libegl-dev libgl-dev libopengl-dev libegl-mesa0 libgl1-mesa-dri libglx-mesa0 libosmesa6
   libglfw3-dev libx11-dev libimgui-dev libfreetype-dev fonts-inter fonts-dejavu-core
   # tests: a display without a monitor, a hand for its mouse, and screenshots
-  libgtest-dev libbenchmark-dev xvfb xauth xdotool x11-utils imagemagick
+  libgtest-dev libbenchmark-dev libdcmtk-dev xvfb xauth xdotool x11-utils imagemagick
   # tests: what the fuzzers are built with, and the judge of the format
   clang-14 libclang-rt-14-dev clang-format-14
 )

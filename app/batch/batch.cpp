@@ -186,7 +186,7 @@ void writePoints(const std::filesystem::path& path, const SurfacePoints& points)
 
 void writeSurfaces(BatchRun& run, const Results& results, const Progress& progress) {
   for (const std::string& format : run.options.meshFormats)
-    writeMesh(run.file("mesh." + format), *results.mesh, progress);
+    writeMesh(run.file("mesh." + format), *results.mesh, run.options.patient, progress);
 }
 
 // The surface with the maps of its skin.
@@ -200,6 +200,18 @@ void writeBaked(BatchRun& run, const Progress& progress) {
   }
 }
 
+// What other programs may want to see: the scan as it was read and taken, what was scanned of it, and what came of it.
+void writeVolumes(BatchRun& run, const Scan& scan, const Results& results, const Progress& progress) {
+  const BatchOptions& options = run.options;
+  const auto file = [&](const std::string& name) { return run.file(name + "." + options.volumeFormat); };
+  if (options.keepScan) writeScan(file("scan"), scan, progress.part(0, 0.3));
+  if (options.keepScan && scan.mask)
+    writeVolume(file("scan_mask"), *scan.mask, scan.beam, progress.part(0.3, 0.4));
+  if (options.keepClassified)
+    writeVolume(file("classified"), *results.classified, scan.beam, progress.part(0.4, 0.7));
+  if (options.keepThinned) writeVolume(file("thinned"), *results.thinned, scan.beam, progress.part(0.7, 1));
+}
+
 std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) {
   const BatchOptions& options = run.options;
   const Progress progress = run.progress.part(kChecked, kWritten);
@@ -209,10 +221,7 @@ std::size_t writeFiles(BatchRun& run, const Scan& scan, const Results& results) 
     writeMesh(run.file("print.3mf"), *results.print, progress.part(0.25, 0.3));
   if (options.input.volume == kPhantomInput)
     writeMesh(run.file("truth.ply"), makePhantomTruth(run.parameters.phantom, progress.part(0.3, 0.7)));
-  if (options.keepClassified)
-    writeVolume(run.file("classified.nrrd"), *results.classified, scan.beam, progress.part(0.7, 0.9));
-  if (options.keepThinned)
-    writeVolume(run.file("thinned.nrrd"), *results.thinned, scan.beam, progress.part(0.9, 0.95));
+  writeVolumes(run, scan, results, progress.part(0.7, 0.95));
   if (options.keepPoints) writePoints(run.file("points.ply"), *results.points);
   const std::string recipe = writeRecipe(run.parameters, scan.key, scan.erased.get());
   writeBytes(run.file("recipe.json"), recipe.data(), recipe.size());

@@ -9,6 +9,7 @@
 #include "app/batch/report.h"
 #include "app/document/input.h"
 #include "core/base/progress.h"
+#include "core/io/dicom_patient.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skin/skin_surface.h"
 #include "render/gl/context.h"
@@ -28,7 +29,9 @@ struct BatchOptions {
   std::string inputName{};
   Parameters parameters;
   std::vector<std::string> meshFormats{"ply"};  // without dots
-  bool keepClassified = false, keepThinned = false, keepPoints = false;
+  DicomPatient patient{};                       // of a DICOM mesh
+  bool keepScan = false, keepClassified = false, keepThinned = false, keepPoints = false;
+  std::string volumeFormat = "nrrd";  // of what is kept; without a dot
   glm::ivec2 pictureSize{1280, 960};
   bool turnsFormat = true;  // pictures of what is taller than wide are upright, of the same size
   Bake bake = Bake::none;
@@ -37,8 +40,8 @@ struct BatchOptions {
 };
 
 // runBatch: the whole way from a volume to a folder with mesh.<format>, skin.png, mesh.png, volume.png,
-// slices.png, recipe.json and report.json; of the phantom truth.ply too; classified.nrrd, thinned.nrrd,
-// points.ply on request; print.stl (and print.3mf with that format) if print.form is not none; skin.glb and
+// slices.png, recipe.json and report.json; of the phantom truth.ply too; on request scan, its
+// scan_mask where there is one, classified and thinned as volumes, points.ply; print.stl (and print.3mf with that format) if print.form is not none; skin.glb and
 //   skin.obj (with its material and pictures) if something is baked.
 //   stageBegins  called with a word for people as each stage starts
 //   order        first all but the pictures and what is baked, as one set with a report; then those, with the report anew.

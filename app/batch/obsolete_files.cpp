@@ -15,10 +15,11 @@ namespace sonoskin {
 
 std::vector<std::string> obsoleteFiles(const std::filesystem::path& folder,
                                        const std::vector<std::string>& files) {
-  static const std::regex kOurs(
-      fmt::format(R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.({0}|mtl)|skin_\w+\.png|)"
-                  R"(mesh_\d+\.({0}|mtl)|film\.mp4|truth\.ply|points\.ply|(classified|thinned)\.nrrd)",
-                  fmt::join(extensionWords(FileKind::writtenMesh), "|")));
+  static const std::regex kOurs(fmt::format(
+      R"((skin|mesh|volume|slices)\.png|(mesh|skin|print)\.({0}|mtl)|skin_\w+\.png|)"
+      R"(mesh_\d+\.({0}|mtl)|film\.mp4|truth\.ply|points\.ply|(scan|scan_mask|classified|thinned)\.({1}))",
+      fmt::join(extensionWords(FileKind::writtenMesh), "|"),
+      fmt::join(extensionWords(FileKind::writtenVolume), "|")));
   std::vector<std::string> obsolete;
   nlohmann::json earlier;
   try {

@@ -50,6 +50,9 @@ void run(RunOptions& options, Console& console) {
     throw Error(fmt::format("--bake needs a format that holds pictures; let --export name {}.",
                             fmt::join(extensionWords(FileKind::texturedMesh), " or ")),
                 Error::Kind::usage);
+  requireSound(batch.patient);
+  if (batch.patient.isGiven() && std::ranges::count(batch.meshFormats, "dcm") == 0)
+    throw Error("A patient is named in mesh.dcm alone; let --export name dcm.", Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
   batch.inputName = console.nameOf(batch.input.volume);
   const auto stage = [&](const std::string& name) { console.beginStage(name); };
@@ -58,11 +61,33 @@ void run(RunOptions& options, Console& console) {
     const SequenceReport report = runSequence(batch, *options.time, console.progress(), stage);
     return console.print(sequenceJson(report), sequenceText(report, batch.folder));
   }
+  batch.keepScan = keeps("scan");
   batch.keepClassified = keeps("classified");
   batch.keepThinned = keeps("thinned");
   batch.keepPoints = keeps("points");
   const Report report = runBatch(batch, console.progress(), stage);
   console.print(reportJson(report), reportText(report, batch.folder));
+}
+
+// Those that keep how a volume lies.
+std::vector<std::string> keptFormats() {
+  std::vector<std::string> formats = extensionWords(FileKind::writtenVolume);
+  std::erase_if(formats, [](const std::string& word) {
+    return formatNamed(FileKind::writtenVolume, "scan." + word) == FileFormat::vtk;
+  });
+  return formats;
+}
+
+// A patient is named where the person asked for it, and nowhere else.
+void addPatientOptions(CLI::App& command, DicomPatient& patient) {
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    command.add_option(name, value, help)->type_name("TEXT");
+  };
+  add("--patient-name", patient.name,
+      "whose mesh.dcm it is, as in Doe^Jane; without these four it is nobody's");
+  add("--patient-id", patient.id, "the patient's ID in mesh.dcm");
+  add("--patient-birth-date", patient.birthDate, "eight digits, year first, in mesh.dcm");
+  add("--patient-sex", patient.sex, "M, F or O, in mesh.dcm");
 }
 
 }  // namespace
@@ -87,8 +112,10 @@ Command addRunCommand(CLI::App& program, Console& console) {
       ->type_name("all|N|A-B");
   addChoices(*command, "--export", batch.meshFormats, extensionWords(FileKind::writtenMesh),
              "formats of the mesh, with commas");
-  addChoices(*command, "--keep", options->keep, {"classified", "thinned", "points"},
-             "results on the way to write too, with commas");
+  addChoices(*command, "--keep", options->keep, {"scan", "classified", "thinned", "points"},
+             "results on the way to write too, with commas; scan: the volume as it was read, and its mask");
+  addChoice(*command, "--keep-as", batch.volumeFormat, keptFormats(), "format of the volumes that are kept");
+  addPatientOptions(*command, batch.patient);
   addBakeOption(*command, batch.bake);
   addQualityOption(*command, batch.skinQuality);
   addSizeOption(*command, batch.pictureSize);

@@ -77,9 +77,16 @@ const std::vector<Row>& rows() {
        {".ply"},
        "mm; normals, labels, what the probe sees and what was measured"},
       {F::stl, Holds::mesh, "STL", {".stl"}, {".stl"}, "mm; triangles alone", {}, 0, true},
-      {F::glb, Holds::mesh, "GLB", {".glb"}, {".glb"}, "metres, Y up; normals", {}, 0, false, true},
+      {F::glb, Holds::mesh, "GLB", {".glb", ".gltf"}, {".glb"}, "metres, Y up; normals", {}, 0, false, true},
       {F::obj, Holds::mesh, "OBJ", {".obj"}, {".obj"}, "mm; normals", {}, 0, false, true},
       {F::threeMf, Holds::mesh, "3MF", {".3mf"}, {".3mf"}, "mm; triangles alone", {}, 0, true},
+      {F::vtp, Holds::mesh, "VTP", {".vtp"}, {".vtp"}, "mm; as PLY, for ParaView and 3D Slicer"},
+      {F::dicomStl,
+       Holds::mesh,
+       "DICOM Encapsulated STL",
+       {},
+       {".dcm"},
+       "mm; triangles alone; no patient, or the one that is given"},
       {F::png, Holds::picture, "PNG", {}, {".png"}, "pictures"},
       {F::json, Holds::recipe, "JSON", {".json"}, {".json"}, "recipes"}};
   return all;

@@ -13,7 +13,23 @@
 namespace sonoskin {
 
 // In the order of the table.
-enum class FileFormat { nrrd, meta, nifti, vtk, dicom, kretz, ply, stl, glb, obj, threeMf, png, json };
+enum class FileFormat {
+  nrrd,
+  meta,
+  nifti,
+  vtk,
+  dicom,
+  kretz,
+  ply,
+  stl,
+  glb,
+  obj,
+  threeMf,
+  vtp,
+  dicomStl,
+  png,
+  json
+};
 
 // FileKind: what a file is wanted for.
 //   printedMesh   a solid for a printer

@@ -4,11 +4,12 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/io/dicom_patient.h"
 #include "core/mesh/mesh.h"
 
 // The contents of mesh files. Input for all: a mesh that writeMesh has checked, world mm, LPS. PLY is our own code,
-// because it carries our properties `visibility`, `measured` and `label`; the others are assimp's work, to which we add
-// the marks of unit, frame and program that it has no place for. It leaves out triangles that use a vertex twice.
+// and so is VTP, because they carry our properties `visibility`, `measured` and `label`; STL, OBJ, GLB and 3MF are assimp's work, to
+// which we add the marks of unit, frame and program that it has no place for. It leaves out triangles that use a vertex twice.
 namespace sonoskin {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -17,9 +18,18 @@ using Bytes = std::vector<std::uint8_t>;
 // the mesh has them; faces uchar 3 and three ints. [Turk 1994]
 Bytes encodePly(const Mesh& mesh);
 
+// encodeVtp: VTK's XML for polygons, mm, packed by zlib in letters; SPACE says LPS in the field data; Normals, visibility,
+// measured and label where the mesh has them. [VTK file formats, "XML file formats"]
+Bytes encodeVtp(const Mesh& mesh);
+
 // encodeStl: binary, mm; flat triangles with their normals.
 //   errors   as exportScene
 Bytes encodeStl(const Mesh& mesh);
+
+// encodeDicomStl: encodeStl's file as a DICOM Encapsulated STL, in mm, with UIDs of its own. Without a given patient it says
+// nobody's name, and nothing of the examination in any case.  [DICOM PS3.3, A.85; Supplement 205]
+//   errors   Error: more than 4 GB, which the format cannot hold; (usage) as requireSound
+Bytes encodeDicomStl(const Mesh& mesh, const DicomPatient& patient);
 
 // encodeObj: text, mm, nine digits (floats come back exactly); v, vn where the mesh has them, f.
 Bytes encodeObj(const Mesh& mesh);

@@ -11,19 +11,21 @@
 namespace sonoskin {
 namespace {
 
-// How a format is made in memory; none for 3MF, which goes to a file.
-Bytes (*encoderOf(FileFormat format))(const Mesh&) {
+// The bytes of all formats but 3MF, which goes to a file.
+Bytes encoded(FileFormat format, const Mesh& mesh, const DicomPatient& patient) {
   switch (format) {
-    case FileFormat::ply:
-      return encodePly;
     case FileFormat::stl:
-      return encodeStl;
+      return encodeStl(mesh);
     case FileFormat::obj:
-      return encodeObj;
+      return encodeObj(mesh);
     case FileFormat::glb:
-      return encodeGlb;
+      return encodeGlb(mesh);
+    case FileFormat::vtp:
+      return encodeVtp(mesh);
+    case FileFormat::dicomStl:
+      return encodeDicomStl(mesh, patient);
     default:
-      return nullptr;
+      return encodePly(mesh);
   }
 }
 
@@ -50,15 +52,20 @@ void checkWritable(const Mesh& mesh) {
 }  // namespace
 
 void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const Progress& progress) {
-  const auto encode = encoderOf(requireFormat(FileKind::writtenMesh, path));
+  writeMesh(path, mesh, {}, progress);
+}
+
+void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const DicomPatient& patient,
+               const Progress& progress) {
+  const FileFormat format = requireFormat(FileKind::writtenMesh, path);
   checkWritable(mesh);
   progress.update(0);
-  if (encode) {
-    const Bytes bytes = encode(mesh);
+  if (format == FileFormat::threeMf) {
+    writeAtomically(path, [&](const std::filesystem::path& temporary) { write3mf(temporary, mesh); });
+  } else {
+    const Bytes bytes = encoded(format, mesh, patient);
     progress.update(0.5);
     writeBytes(path, bytes.data(), bytes.size());
-  } else {
-    writeAtomically(path, [&](const std::filesystem::path& temporary) { write3mf(temporary, mesh); });
   }
   progress.update(1);
 }

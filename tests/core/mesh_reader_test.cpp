@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "core/io/file_formats.h"
 #include "core/io/mesh_writer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/meshes.h"
@@ -124,9 +125,9 @@ TEST(ReadMesh, RefusesWhatIsNoSurface) {
   expectError([&] { readMesh(folder / "none.ply"); }, "no file");
   expectError([&] { readMesh(folder.write("a.xyz", "1 2 3")); }, "is not a mesh");
   expectError([&] { readMesh(folder.write("a.obj", "v 0 0 0\n")); }, "");
-  for (const char* extension : {".ply", ".stl", ".obj", ".glb", ".3mf"}) {
-    expectError([&] { readMesh(folder.write(std::string("empty") + extension, "")); }, "empty");
-    expectError([&] { readMesh(folder.write(std::string("junk") + extension, "what is this?\n")); }, "");
+  for (const std::string& extension : extensionsOf(FileKind::readMesh)) {
+    expectError([&] { readMesh(folder.write("empty" + extension, "")); }, "empty");
+    expectError([&] { readMesh(folder.write("junk" + extension, "what is this?\n")); }, "");
   }
   std::string far = squarePly();
   far.replace(far.find("7 4 0 1 2 3"), 11, "7 4 0 1 2 4");

@@ -41,7 +41,7 @@ TEST_P(MeshFormat, ComesBackAsItWas) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MeshFormat, testing::Values(".ply", ".stl", ".obj", ".glb", ".3mf"));
+INSTANTIATE_TEST_SUITE_P(All, MeshFormat, testing::Values(".ply", ".stl", ".obj", ".glb", ".3mf", ".vtp"));
 
 TEST(WriteMesh, SaysUnitAndFrameInTheHeader) {
   const TempFolder folder;
@@ -111,7 +111,7 @@ TEST(WriteMesh, GlbStandsUprightInMetres) {
 TEST(WriteMesh, RefusesWhatItCannotWrite) {
   const TempFolder folder;
   Mesh mesh = icosphere(0, 1, {});
-  expectError([&] { writeMesh(folder / "a.fbx", mesh); }, ".ply, .stl, .glb, .obj or .3mf",
+  expectError([&] { writeMesh(folder / "a.fbx", mesh); }, ".ply, .stl, .glb, .obj, .3mf, .vtp or .dcm",
               Error::Kind::usage);
   expectError([&] { writeMesh(folder / "a.ply", Mesh{}); }, "no surface");
   Mesh bad = mesh;

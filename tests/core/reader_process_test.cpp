@@ -84,6 +84,7 @@ TEST_F(Readers, GiveTheSameVolume) {
 TEST_F(Readers, GiveTheSameMesh) {
   for (const std::string& extension : extensionsOf(FileKind::writtenMesh)) {
     SCOPED_TRACE(extension);
+    if (!formatNamed(FileKind::readMesh, "mesh" + extension)) continue;
     const fs::path file = mesh("mesh" + extension);
     const Mesh here = parseMesh(file), apart = readMesh(file);
     EXPECT_EQ(apart.positions, here.positions);
@@ -138,7 +139,7 @@ TEST_F(Readers, SurviveWhatTheLibrariesDoNot) {
 TEST_F(Readers, SurviveDamagedFiles) {
   std::vector<fs::path> files;
   for (const std::string& extension : extensionsOf(FileKind::writtenMesh))
-    files.push_back(mesh("m" + extension));
+    if (formatNamed(FileKind::readMesh, "m" + extension)) files.push_back(mesh("m" + extension));
   for (const std::string& extension : extensionsOf(FileKind::writtenVolume))
     files.push_back(volume("v" + extension));
   std::uint64_t n = 7;

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """make_corpus.py FOLDER: writes small files for every fuzzer into FOLDER/<target>; those named good_* must be accepted."""
+import base64
 import gzip
+import io
 import json
 import pathlib
 import struct
 import sys
+import zipfile
 import zlib
 
 CORNERS = [(0, 0, 0), (10, 0, 0), (0, 10, 0), (0, 0, 10)]
@@ -62,13 +65,71 @@ def mesh_answer():
             + counted("B", [(3,)] * 4))
 
 
-def scene():
-    """As tests/fuzz/scene_fuzz.cpp takes it apart: one part with normals and texture coordinates, under one node."""
+def glb(packed=False):
+    """Integers with a scale, normals, an index list, and a sparse change; or text with its buffer in it."""
+    points = b"".join(struct.pack("<4h", *c, 0) for c in CORNERS)
+    normals = struct.pack("<12f", *[0, 0, 1] * 4)
+    faces = b"".join(struct.pack("<3H", *f) for f in FACES)
+    sparse = struct.pack("<BxxxhhhH", 3, 0, 0, 10, 0)
+    data = points + normals + faces + sparse
+    views, at = [], 0
+    for part, stride in ((points, 8), (normals, 0), (faces, 0), (sparse, 0)):
+        views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)} | ({"byteStride": stride} if stride else {}))
+        at += len(part)
+    change = {"count": 1, "indices": {"bufferView": 3, "componentType": 5121},
+              "values": {"bufferView": 3, "byteOffset": 4}}
+    root = {"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantization"], "scene": 0,
+            "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "children": [1], "scale": [0.001, 0.001, 0.001]},
+                                                  {"translation": [1, 0, 0], "rotation": [0, 0, 0, 1]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
+            "buffers": [{"byteLength": len(data)}], "bufferViews": views,
+            "accessors": [{"bufferView": 0, "componentType": 5122, "type": "VEC3", "count": 4, "sparse": change},
+                          {"bufferView": 1, "componentType": 5126, "type": "VEC3", "count": 4},
+                          {"bufferView": 2, "componentType": 5123, "type": "SCALAR", "count": 12}]}
+    if packed:
+        root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+        return json.dumps(root).encode()
+    text = json.dumps(root).encode()
+    text += b" " * (-len(text) % 4)
+    return (b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(data)) + struct.pack("<I", len(text)) + b"JSON" + text
+            + struct.pack("<I", len(data)) + b"BIN\0" + data)
+
+
+def three_mf(unit="inch", extra=""):
+    points = "".join('<vertex x="%g" y="%g" z="%g"/>' % c for c in CORNERS)
+    faces = "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % f for f in FACES)
+    core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+    return (f'<?xml version="1.0"?><model unit="{unit}" xmlns="{core}"><resources><object id="1" type="model"><mesh>'
+            f'<vertices>{points}</vertices><triangles>{faces}</triangles></mesh></object><object id="2"><components>'
+            f'<component objectid="1" transform="0 1 0 -1 0 0 0 0 1 0 5 0"/></components></object></resources>'
+            f'<build><item objectid="2"/>{extra}</build></model>').encode()
+
+
+def zipped(model):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr(zipfile.ZipInfo("3D/3dmodel.model"), model)
+    return buffer.getvalue()
+
+
+def vtp(packed):
+    def array(kind, name, values, count=1):
+        head = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{count}" '
+        data = struct.pack("<%d%s" % (len(values), {"Float32": "f", "Int32": "i"}[kind]), *values)
+        if not packed:
+            return head + 'format="ascii">' + " ".join(map(str, values)) + "</DataArray>"
+        block = zlib.compress(data)
+        facts = struct.pack("<4I", 1, len(data), 0, len(block))
+        return head + 'format="binary">' + (base64.b64encode(facts) + base64.b64encode(block)).decode() + "</DataArray>"
+
     flat = [x for c in CORNERS for x in c]
-    part = struct.pack("<B12f", 4, *flat) + struct.pack("<B12f12fB", 3, *[0, 0, 1] * 4, *flat, 4)
-    part += b"".join(struct.pack("B3B", 2, *f) for f in FACES)
-    identity = [float(r == c) for r in range(4) for c in range(4)]
-    return b"\0" + part + struct.pack("<16fBBB", *identity, 1, 0, 0)
+    corners = [v for f in FACES for v in f]
+    return (f'<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"'
+            f'{" compressor=" + chr(34) + "vtkZLibDataCompressor" + chr(34) if packed else ""}><PolyData><FieldData><Array '
+            f'type="String" Name="SPACE" format="ascii">82 65 83 0</Array></FieldData><Piece NumberOfPoints="4" '
+            f'NumberOfPolys="4"><PointData Normals="n">{array("Float32", "n", [0, 0, 1] * 4, 3)}</PointData><Points>'
+            f'{array("Float32", "p", flat, 3)}</Points><Polys>{array("Int32", "connectivity", corners)}'
+            f'{array("Int32", "offsets", [3, 6, 9, 12])}</Polys></Piece></PolyData></VTKFile>').encode()
 
 
 # ---- volumes
@@ -166,7 +227,10 @@ def corpus():
     yield "stl", {"binary": stl_binary(), "text": stl_text()}, {"many": stl_binary()[:80] + b"\xff" * 54}
     yield "obj", {"text": obj()}, {"index": obj() + b"f 99 -7 1\n"}
     yield "mesh_answer", {"whole": mesh_answer()}, {}
-    yield "scene", {"whole": scene()}, {}
+    yield "gltf", {"glb": glb(), "text": glb(True)}, {"many": glb().replace(b'"count": 12', b'"count": 4000000000')}
+    yield "three_mf", {"model": three_mf(), "zip": zipped(three_mf("micron"))}, {
+        "self": three_mf().replace(b'component objectid="1"', b'component objectid="2"')}
+    yield "vtp", {"text": vtp(False), "packed": vtp(True)}, {}
     yield "nrrd", {"raw": nrrd("raw", VOXELS), "gzip": nrrd("gzip", gzip.compress(VOXELS, mtime=0)),
                    "text": nrrd("ascii", text)}, {"outside": nrrd("raw", b"", "data file: ../b.raw\n")}
     yield "meta", {"raw": meta("", VOXELS)} | {

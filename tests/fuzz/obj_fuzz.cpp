@@ -1,4 +1,4 @@
-// OBJ files: the guard in front of assimp, assimp, and what is made of its answer.
+// OBJ files, with polygons and negative indices, as the program reads them.
 #include "core/io/mesh_loader.h"
 #include "tests/fuzz/mesh_claims.h"
 

@@ -16,7 +16,7 @@ export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 corpus=${corpus:-$TMPDIR/corpus}
 mkdir -p "$corpus" $build/findings
-export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=suppressions=tests/fuzz/leaks.supp:print_suppressions=0
+export UBSAN_OPTIONS=print_stacktrace=1
 
 good=($build/seeds/"$target"/good_*)
 if [ -e "${good[0]}" ] && ! SONOSKIN_FUZZ_ACCEPT=1 $fuzzer -runs=1 "${good[@]}" >"$TMPDIR/good" 2>&1; then

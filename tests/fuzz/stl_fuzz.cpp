@@ -1,4 +1,4 @@
-// STL files: the guard in front of assimp, assimp, and what is made of its answer.
+// STL files, text and binary, as the program reads them.
 #include "core/io/mesh_loader.h"
 #include "tests/fuzz/mesh_claims.h"
 

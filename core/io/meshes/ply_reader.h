@@ -8,8 +8,8 @@
 namespace sonoskin {
 
 // readPly: reads text and binary PLY of either byte order; elements and properties that a Mesh does not have are
-// skipped, polygons are split into fans.
-//   output  as in the file: no change of axes; normals, visibility, measured (cut to 0 to 1), labels (0 to 255) and texture
+// skipped, polygons and strips of triangles are split.
+//   output  world mm, LPS: SPACE=RAS in a comment is obeyed; vertices as in the file; normals, visibility, measured (cut to 0 to 1), labels (0 to 255) and texture
 //           coordinates only where the file has them
 //   errors  Error: damaged or incomplete; more elements than the file has room for (looked at before memory is
 //           taken for them); positions that are not finite; Cancelled

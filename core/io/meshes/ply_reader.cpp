@@ -1,4 +1,4 @@
-#include "core/io/ply_reader.h"
+#include "core/io/meshes/ply_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,8 @@
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/header_text.h"
+#include "core/io/meshes/frame_tag.h"
+#include "core/io/meshes/polygon.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -34,6 +36,7 @@ struct Element {
 struct Header {
   Format format = Format::text;
   std::vector<Element> elements;
+  std::string comments;
   std::size_t bytes = 0;
 };
 
@@ -103,6 +106,7 @@ Header parseHeader(std::string_view text, const fs::path& path) {
   while (const auto line = lines.next()) {
     const auto parts = words(*line);
     if (parts.empty()) continue;
+    if (parts[0] == "comment" || parts[0] == "obj_info") header.comments.append(*line).append("\n");
     if (parts[0] == "end_header") {
       header.bytes = lines.position();
       return header;
@@ -197,7 +201,7 @@ std::string_view usualName(const std::string& name) {
 std::uint8_t labelOf(float value) { return value >= 0 && value <= 255 ? std::uint8_t(value) : 0; }
 
 void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
-                  const Progress& progress) {
+                  const fs::path& path, const Progress& progress) {
   static constexpr std::array<std::string_view, 11> kNames{"x",          "y", "z", "nx",    "ny",      "nz",
                                                            "visibility", "s", "t", "label", "measured"};
   std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
@@ -207,6 +211,8 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<gl
     slots.push_back(std::size_t(found - kNames.begin()));
     if (found != kNames.end()) has[slots.back()] = true;
   }
+  require(has[0] && has[1] && has[2],
+          "{} gives its vertices no places: x, y and z are not all there; get a fresh copy.", path.string());
   const bool normals = has[3] && has[4] && has[5];
   for (std::uint64_t v = 0; v < element.count; ++v) {
     if (v % 65536 == 0) progress.update(double(v) / double(element.count));
@@ -226,34 +232,80 @@ void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<gl
   }
 }
 
-void readPolygon(const Property& property, Body& body, std::vector<Triangle>& triangles,
-                 const fs::path& path) {
-  const auto index = [&] {
-    const double value = body.next(property.type);
-    if (!(value >= 0 && value <= double(UINT32_MAX)) || value != std::floor(value)) failBody(path);
-    return std::uint32_t(value);
-  };
+// Polygons: the corners of faces, one face after another, split when all vertices are there: faces may come first.
+struct Polygons {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> ends;
+};
+
+void readPolygon(const Property& property, Body& body, Polygons& polygons, const fs::path& path) {
   const double count = body.next(*property.count);
   if (!(count >= 0) || count * double(body.least(property.type)) > double(body.left())) failBody(path);
-  Triangle fan{};
   for (double n = 0; n < count; ++n) {
-    fan[n < 2 ? std::size_t(n) : 2] = index();
-    if (n < 2) continue;
-    triangles.push_back(fan);
-    fan[1] = fan[2];
+    const double value = body.next(property.type);
+    if (!(value >= 0 && value <= double(UINT32_MAX)) || value != std::floor(value)) failBody(path);
+    polygons.corners.push_back(std::uint32_t(value));
+  }
+  polygons.ends.push_back(polygons.corners.size());
+}
+
+// Strips of triangles, -1 between one and the next; every second triangle is turned.
+void readStrips(const Property& property, Body& body, Polygons& polygons, const fs::path& path) {
+  const double count = body.next(*property.count);
+  if (!(count >= 0) || count * double(body.least(property.type)) > double(body.left())) failBody(path);
+  std::vector<std::uint32_t> last;
+  for (double n = 0; n < count; ++n) {
+    const double value = body.next(property.type);
+    if (!(value >= -1 && value <= double(UINT32_MAX)) || value != std::floor(value)) failBody(path);
+    if (value < 0) {
+      last.clear();
+      continue;
+    }
+    last.push_back(std::uint32_t(value));
+    const std::size_t i = last.size() - 1;
+    if (i < 2 || last[i] == last[i - 1] || last[i - 1] == last[i - 2] || last[i] == last[i - 2]) continue;
+    const bool turns = i % 2 == 1;
+    polygons.corners.insert(polygons.corners.end(),
+                            {last[turns ? i - 1 : i - 2], last[turns ? i - 2 : i - 1], last[i]});
+    polygons.ends.push_back(polygons.corners.size());
   }
 }
 
-void readFaces(const Element& element, Body& body, Mesh& mesh, const fs::path& path,
+bool listsVertices(const Property& p) {
+  return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
+}
+
+void readFaces(const Element& element, Body& body, Polygons& polygons, const fs::path& path,
                const Progress& progress) {
+  require(std::ranges::any_of(element.properties, listsVertices),
+          "{} has faces that list no vertex_indices; save it anew as PLY, or as STL.", path.string());
+  const bool strips = element.name == "tristrips";
   for (std::uint64_t f = 0; f < element.count; ++f) {
     if (f % 65536 == 0) progress.update(double(f) / double(element.count));
     for (const Property& p : element.properties) {
-      if (p.count && (p.name == "vertex_indices" || p.name == "vertex_index"))
-        readPolygon(p, body, mesh.triangles, path);
-      else
+      if (!listsVertices(p))
         skipProperty(p, body);
+      else if (strips)
+        readStrips(p, body, polygons, path);
+      else
+        readPolygon(p, body, polygons, path);
     }
+  }
+}
+
+void splitAll(const Polygons& polygons, Mesh& mesh, const fs::path& path) {
+  std::vector<glm::vec3> corners;
+  for (const std::uint32_t v : polygons.corners)
+    require(v < mesh.positions.size(), "{} has a triangle without vertices; get a fresh copy.",
+            path.string());
+  std::size_t first = 0;
+  for (const std::size_t end : polygons.ends) {
+    corners.clear();
+    for (std::size_t c = first; c < end; ++c) corners.push_back(mesh.positions[polygons.corners[c]]);
+    for (const Triangle& t : splitPolygon(corners))
+      mesh.triangles.push_back(
+          {polygons.corners[first + t[0]], polygons.corners[first + t[1]], polygons.corners[first + t[2]]});
+    first = end;
   }
 }
 
@@ -263,9 +315,6 @@ void checkResult(const Mesh& mesh, const fs::path& path) {
   for (const glm::vec3& p : mesh.positions)
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
             "{} has a vertex at no finite position; get a fresh copy.", path.string());
-  for (const Triangle& t : mesh.triangles)
-    require(std::max({t[0], t[1], t[2]}) < mesh.positions.size(),
-            "{} has a triangle without vertices; get a fresh copy.", path.string());
 }
 
 void setUvs(const std::vector<glm::vec2>& uvs, Mesh& mesh) {
@@ -281,19 +330,22 @@ Mesh readPly(const fs::path& path, const Progress& progress) {
   const Header header = parseHeader(text, path);
   Body body(text.substr(header.bytes), header.format, path);
   Mesh mesh;
+  Polygons polygons;
   std::vector<glm::vec2> uvs;
   for (const Element& element : header.elements) {
     checkRoom(element, body, path);
     if (element.name == "vertex")
-      readVertices(element, body, mesh, uvs, progress.part(0, 0.5));
-    else if (element.name == "face")
-      readFaces(element, body, mesh, path, progress.part(0.5, 1));
+      readVertices(element, body, mesh, uvs, path, progress.part(0, 0.5));
+    else if (element.name == "face" || element.name == "tristrips")
+      readFaces(element, body, polygons, path, progress.part(0.5, 0.9));
     else
       for (std::uint64_t n = 0; n < element.count; ++n)
         for (const Property& p : element.properties) skipProperty(p, body);
   }
+  splitAll(polygons, mesh, path);
   checkResult(mesh, path);
   setUvs(uvs, mesh);
+  turnToLps(mesh, frameIn(header.comments));
   return mesh;
 }
 

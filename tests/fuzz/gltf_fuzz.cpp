@@ -1,0 +1,11 @@
+// GLB files, and glTF as text.
+#include "core/io/mesh_loader.h"
+#include "tests/fuzz/mesh_claims.h"
+
+using namespace sonoskin;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fuzz::InputFile file("a.glb");
+  fuzz::attempt([&] { fuzz::claimSound(parseMesh(file.hold({data, size}))); });
+  return 0;
+}
