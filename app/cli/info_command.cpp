@@ -102,7 +102,27 @@ void printMesh(const std::string& file, Console& console) {
                 inputName(file) + ":\n" + factsText(facts));
 }
 
+// Of several volumes, which there are.
+void printVolumes(const std::string& file, const std::vector<VolumeEntry>& volumes, Console& console) {
+  nlohmann::ordered_json json;
+  if (const std::string name = console.nameOf(file); !name.empty()) json["file"] = name;
+  std::string text =
+      fmt::format("{} holds {} volumes; --volume N tells more of one:\n", inputName(file), volumes.size());
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    const VolumeEntry& v = volumes[n];
+    json["volumes"].push_back({{"volume", n + 1},
+                               {"dims", {v.dims.x, v.dims.y, v.dims.z}},
+                               {"modality", v.modality},
+                               {"time_steps", v.timeSteps}});
+    text += fmt::format("  {}  {}\n", n + 1, entryText(v));
+  }
+  console.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace), text);
+}
+
 void printVolume(const std::string& file, const ScanOptions& scan, Console& console) {
+  if (scan.volume == 0)
+    if (const auto volumes = listVolumes(file); volumes.size() > 1)
+      return printVolumes(file, volumes, console);
   const VolumeInfo info = readVolumeInfo(file, readOptions(scan), console.progress());
   console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }

@@ -12,6 +12,7 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "tests/app/session_support.h"
+#include "tests/support/kretz.h"
 #include "tests/support/temp_folder.h"
 
 namespace sonoskin {
@@ -35,6 +36,34 @@ TEST(Session, ClassifiesWhatItOpens) {
   EXPECT_FALSE(session.classifiedIsCoarse());
   EXPECT_GT(session.results().isoValue, 0);
   EXPECT_EQ(session.proposedName(".ply"), "surface.ply");
+}
+
+// Of two volumes in one file nothing is opened until the person has chosen.
+TEST(Session, AsksWhichOfSeveralVolumesIsOpened) {
+  const TempFolder folder;
+  std::string grey, colour;
+  for (int n = 0; n < 24 * 24 * 24; ++n) {
+    grey += char(n % 97);
+    colour += char(n % 89);
+  }
+  test::KretzWriter kretz;
+  kretz.dims(24, 24, 24).values(0xC100, 1, {0.001}).record(0xD000, 1, grey);
+  kretz.dims(24, 24, 24, 1).values(0xC100, 0x101, {0.002}).record(0xD000, 0x101, colour).end();
+  const fs::path file = folder.write("two.vol", kretz.bytes());
+  Session session(tinyPhantom());
+  session.openFile(file);
+  ASSERT_TRUE(wait(session));
+  EXPECT_FALSE(session.hasScan());
+  EXPECT_TRUE(session.takeMessages().empty());
+  const auto choice = session.takeChoice();
+  ASSERT_TRUE(choice);
+  EXPECT_EQ(choice->volumes.size(), 2u);
+  session.openVolume(*choice, 2);
+  ASSERT_TRUE(wait(session));
+  ASSERT_TRUE(session.hasScan());
+  EXPECT_FALSE(session.takeChoice());
+  EXPECT_NEAR(session.scan().volume->geometry.spacing.x, 2, 1e-9);
+  EXPECT_EQ(session.parameters().scan.volume, 2);
 }
 
 // The default top is on the axis of two of the sides: beams are there all the same, whatever is chosen after what.
