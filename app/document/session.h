@@ -128,6 +128,10 @@ class Session {
   void saveSkin(const std::filesystem::path& path, std::function<TexturedMesh()> make);
   void savePicture(const std::filesystem::path& path, std::function<Image()> make, bool showsMesh);
   void saveRecipe(const std::filesystem::path& path);
+  // saveScan, saveClassified: as voxels for other programs: the scan as it was read, and what the classification made of it.
+  //   errors  Error: there is none
+  void saveScan(const std::filesystem::path& path);
+  void saveClassified(const std::filesystem::path& path);
   // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
   bool hasUnsavedWork() const;
   // proposedName: a neutral name with an ending; the scan's own may be a patient's.

@@ -261,6 +261,19 @@ void Session::savePicture(const fs::path& path, std::function<Image()> make, boo
   save(path, recipe, [path, make = std::move(make)](const Progress&) { writePng(path, make()); });
 }
 
+void Session::saveScan(const fs::path& path) {
+  require(hasScan(), "There is no scan to save; open one.");
+  Scan scan = frame_.scan;
+  scan.erased.reset();
+  saveAlone(path, [path, scan](const Progress& progress) { writeScan(path, scan, progress); });
+}
+
+void Session::saveClassified(const fs::path& path) {
+  require(frame_.results.classified != nullptr, "Nothing is classified yet that could be saved.");
+  saveAlone(path, [path, classified = frame_.results.classified, beam = frame_.scan.beam](
+                      const Progress& progress) { writeVolume(path, *classified, beam, progress); });
+}
+
 std::string Session::recipeNow() {
   return writeRecipe(recipeParameters(document_), frame_.scan.key, document_.erased.snapshot().get());
 }

@@ -19,6 +19,8 @@ enum class FilePurpose {
   saveMesh,
   saveSequence,
   savePrint,
+  saveScan,
+  saveClassified,
   saveSkin,
   saveLitSkin,
   savePicture

@@ -34,6 +34,10 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save a mesh of each time step", "Save", true, FileKind::writtenMesh};
     case FilePurpose::savePrint:
       return {"Save for printing", "Save", true, FileKind::printedMesh};
+    case FilePurpose::saveScan:
+      return {"Save scan for other programs", "Save", true, FileKind::writtenVolume};
+    case FilePurpose::saveClassified:
+      return {"Save classified volume", "Save", true, FileKind::writtenVolume};
     case FilePurpose::saveSkin:
       return {"Save surface with skin", "Save", true, FileKind::texturedMesh};
     case FilePurpose::saveLitSkin:

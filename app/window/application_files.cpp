@@ -31,6 +31,10 @@ void Application::act(const ui::FileChoice& choice) {
       return session.saveSequence(choice.path, stepsOf(workspace_));
     case ui::FilePurpose::savePrint:
       return session.savePrint(choice.path);
+    case ui::FilePurpose::saveScan:
+      return session.saveScan(choice.path);
+    case ui::FilePurpose::saveClassified:
+      return session.saveClassified(choice.path);
     case ui::FilePurpose::saveSkin:
       return saveSkin(choice.path, false);
     case ui::FilePurpose::saveLitSkin:

@@ -77,6 +77,8 @@ void proposeParts(W& w) {
   w.session.editParts(mesh);
 }
 
+bool hasClassified(const W& w) { return w.session.results().classified && !w.session.classifiedIsCoarse(); }
+
 bool hasSteps(const W& w) { return w.session.hasScan() && w.session.scan().timeSteps > 1; }
 
 bool showsSkin(const W& w) {
@@ -138,6 +140,10 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::saveSequence, w.settings.folder, w.session.proposedName(".ply")); }, hasSteps},
   {"file.savePrint", "Save for printing...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::savePrint, w.settings.folder, w.session.proposedName(".stl")); }, hasMesh},
+  {"file.saveScan", "Save scan for other programs...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveScan, w.settings.folder, "scan.nrrd"); }, hasScan, nullptr, true},
+  {"file.saveClassified", "Save classified volume...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::saveClassified, w.settings.folder, "classified.nrrd"); }, hasClassified},
   {"file.saveSkin", "Save surface with skin...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::saveSkin, w.settings.folder, w.session.proposedName(".glb")); }, showsSkin},
   {"file.saveLitSkin", "Save surface with skin and light...", Menu::file, {},

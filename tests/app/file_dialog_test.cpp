@@ -16,9 +16,9 @@ using test::TempFolder;
 using ui::FilePurpose;
 
 constexpr FilePurpose kPurposes[] = {
-    FilePurpose::openVolume,  FilePurpose::openErased, FilePurpose::saveErased, FilePurpose::openRecipe,
-    FilePurpose::saveRecipe,  FilePurpose::saveMesh,   FilePurpose::savePrint,  FilePurpose::saveSkin,
-    FilePurpose::saveLitSkin, FilePurpose::savePicture};
+    FilePurpose::openVolume,     FilePurpose::openErased, FilePurpose::saveErased,  FilePurpose::openRecipe,
+    FilePurpose::saveRecipe,     FilePurpose::saveMesh,   FilePurpose::savePrint,   FilePurpose::saveScan,
+    FilePurpose::saveClassified, FilePurpose::saveSkin,   FilePurpose::saveLitSkin, FilePurpose::savePicture};
 
 // A dialog that lists and takes what the readers and writers take: nothing else, and all of it.
 TEST(FileDialog, OffersWhatCanBeReadAndWritten) {

@@ -7,6 +7,7 @@
 #include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image.h"
+#include "core/io/volume_reader.h"
 #include "core/pipeline/recipe.h"
 #include "tests/app/cli_support.h"
 #include "tests/app/session_support.h"
@@ -67,6 +68,18 @@ TEST(SessionExport, TheRecipeBesideAMeshRepeatsIt) {
   ASSERT_TRUE(wait(session));
   EXPECT_TRUE(warningsOf(said).empty());
   EXPECT_EQ(repeated(file, folder, "mesh.ply"), readBytes(file));
+}
+
+TEST(SessionExport, VolumesForOtherProgramsReadBack) {
+  const TempFolder folder;
+  test::OpenSession session(tinySurface());
+  session.saveScan(folder / "scan.nrrd");
+  session.saveClassified(folder / "classified.mha");
+  ASSERT_TRUE(wait(session));
+  const Scan scan = readScan(folder / "scan.nrrd"), classified = readMarks(folder / "classified.mha");
+  EXPECT_TRUE(scan.key == session.scan().key);
+  ASSERT_TRUE(session.results().classified);
+  EXPECT_EQ(classified.volume->data, session.results().classified->data);
 }
 
 // What is saved is the surface that is there, not the one that parameters have moved on to.
