@@ -6,6 +6,7 @@
 #include "app/batch/mesh_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/parameter_options.h"
+#include "app/cli/parameter_text.h"
 #include "app/document/input.h"
 #include "core/base/error.h"
 #include "core/io/file_formats.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct InfoOptions {
   std::string file;
-  ParameterOptions reading;  // scan.volume and scan.time
+  ParameterOptions reading;  // how it is read: scan.volume, scan.time, scan.voxel and the group raw
   bool formats = false;
 };
 
@@ -119,11 +120,12 @@ void printVolumes(const std::string& file, const std::vector<VolumeEntry>& volum
   console.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace), text);
 }
 
-void printVolume(const std::string& file, const ScanOptions& scan, Console& console) {
-  if (scan.volume == 0)
+void printVolume(const std::string& file, const Parameters& parameters, Console& console) {
+  if (parameters.scan.volume == 0)
     if (const auto volumes = listVolumes(file); volumes.size() > 1)
       return printVolumes(file, volumes, console);
-  const VolumeInfo info = readVolumeInfo(file, readOptions(scan), console.progress());
+  const VolumeInfo info =
+      readVolumeInfo(file, readOptions(parameters.scan, parameters.raw), console.progress());
   console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }
 
@@ -135,7 +137,7 @@ void info(const InfoOptions& options, Console& console) {
   else if (isMeshFile(options.file))
     printMesh(options.file, console);
   else
-    printVolume(options.file, options.reading.resolve().scan, console);
+    printVolume(options.file, options.reading.resolve(), console);
 }
 
 }  // namespace
@@ -150,6 +152,9 @@ Command addInfoCommand(CLI::App& program, Console& console) {
                     "a table of the formats instead: their endings and what they keep");
   options->reading.addOne(*command, "volume", "scan.volume");
   options->reading.addOne(*command, "time", "scan.time");
+  options->reading.addOne(*command, "", "scan.voxel");
+  for (const ParameterInfo& parameter : describeParameters({}))
+    if (parameter.name.starts_with("raw.")) options->reading.addOne(*command, "", parameter.name);
   console.addThreads(*command);
   console.addJson(*command);
   console.addNameInput(*command);

@@ -63,6 +63,7 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   name = opened.name;
   givesSpacing = opened.givesSpacing;
   reading = opened.reading;
+  raw = opened.raw;
   source = opened.source;
   parameters.scan.volume = reading.volume;
   parameters.scan.time = reading.time;
@@ -72,11 +73,14 @@ void Document::adopt(const Opened& opened, const Scan& before) {
 Parameters recipeParameters(const Document& document) {
   Parameters parameters = document.parameters;
   if (document.phantom) parameters.phantom = *document.phantom;
+  parameters.raw = document.raw;
   parameters.scan.volume = document.reading.volume;
   parameters.scan.time = document.reading.time;
   parameters.scan.half = document.reading.half;
   parameters.scan.cutLow = document.reading.cutLow;
   parameters.scan.cutHigh = document.reading.cutHigh;
+  parameters.scan.voxel = document.reading.voxel;
+  parameters.scan.mirror = document.reading.mirror;
   return parameters;
 }
 

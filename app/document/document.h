@@ -19,7 +19,9 @@ struct Opened {
   bool givesSpacing = true;                 // the scan's own file does; otherwise scan.spacing is its spacing
   bool isAnother = true;                    // not the one that is open, with another spacing
   std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
-  ScanOptions reading{};  // volume, time, half, cutLow and cutHigh: which it is, and what was left out of it
+  ScanOptions
+      reading{};     // volume, time, voxel, mirror, half, cutLow, cutHigh: which it is, and how it was read
+  RawOptions raw{};  // what its file was told to hold
   std::filesystem::path source{};  // of a scan from a file, from which another time step may be asked for
 };
 
@@ -49,7 +51,8 @@ struct Document {
   std::string name;
   bool givesSpacing = true;
   std::optional<PhantomOptions> phantom;  // of the scan, where it is simulated
-  ScanOptions reading;           // volume, time, half, cutLow and cutHigh: which scan, and what was left out
+  ScanOptions reading;  // volume, time, voxel, mirror, half, cutLow, cutHigh: which scan, and how it was read
+  RawOptions raw;       // what its file was told to hold
   std::filesystem::path source;  // of the scan, where it is from a file
   Parameters parameters;
   ErasedParts erased;

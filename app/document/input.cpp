@@ -10,22 +10,24 @@
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
+#include "core/volume/mirror_scan.h"
 #include "core/volume/scan_size.h"
 
 namespace sonoskin {
 
 Scan loadInput(const InputFiles& files, const Parameters& parameters, const Progress& progress) {
   const Progress volume = files.mask.empty() && files.erased.empty() ? progress : progress.part(0, 0.8);
-  Scan scan = files.volume == kPhantomInput ? makePhantomScan(parameters.phantom, volume)
-                                            : readScan(files.volume, readOptions(parameters.scan), volume);
+  Scan scan = files.volume == kPhantomInput
+                  ? makePhantomScan(parameters.phantom, volume)
+                  : readScan(files.volume, readOptions(parameters.scan, parameters.raw), volume);
   if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
   warnOfSpacing(scan);
   fitIntoMemory(scan, parameters.scan);
   if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
-  if (!files.erased.empty())
-    setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
-  else if (auto erased = erasedIn(files.recipe, scan))
-    setErased(scan, std::move(*erased));
+  if (!files.erased.empty()) setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
+  mirrorScan(scan, parameters.scan.mirror);  // with the masks, which lie where the file has its voxels
+  if (!files.erased.empty()) return scan;
+  if (auto erased = erasedIn(files.recipe, scan)) setErased(scan, std::move(*erased));
   return scan;
 }
 

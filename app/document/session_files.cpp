@@ -19,6 +19,7 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/recipe.h"
+#include "core/volume/mirror_scan.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -40,6 +41,7 @@ void fit(Opened& opened, const ScanOptions& options) {
   if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
   warnOfSpacing(opened.scan);
   fitIntoMemory(opened.scan, options);
+  mirrorScan(opened.scan, options.mirror);
   opened.reading = options;
 }
 
@@ -69,10 +71,11 @@ void Session::openFile(const fs::path& path, const ScanOptions& options) {
   const auto choice = std::make_shared<VolumeChoice>(VolumeChoice{path, options, {}});
   opened->name = path.filename().string();
   opened->source = path;
+  opened->raw = document_.parameters.raw;
   const auto read = [opened, choice, path, options](const Progress& progress) {
     if (options.volume == 0) choice->volumes = listVolumes(path, progress.cancelOnly());
     if (choice->volumes.size() > 1) return;
-    opened->scan = readScan(path, readOptions(options), progress);
+    opened->scan = readScan(path, readOptions(options, opened->raw), progress);
     fit(*opened, options);
   };
   opener_.replace({"Opening " + opened->name, read, [this, opened, choice] {
@@ -103,6 +106,7 @@ void Session::respace() {
   Opened opened{frame_.scan, document_.name};
   opened.givesSpacing = opened.isAnother = false;
   opened.reading = document_.reading;
+  opened.raw = document_.raw;
   opened.source = document_.source;
   open("Setting the spacing", std::move(opened),
        [spacing](Opened& changed, const Progress&) { setSpacing(changed.scan, spacing); });

@@ -12,6 +12,7 @@
 #include "core/io/file_formats.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_reader.h"
+#include "core/volume/mirror_scan.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -32,11 +33,12 @@ void keep(std::deque<Scan>& steps, Scan scan) {
 }
 
 // A step as the document's first one was read.
-Scan readStep(const fs::path& source, ScanOptions options, int time, const Progress& progress) {
-  options.time = time;
-  Scan scan = readScan(source, readOptions(options), progress);
+Scan readStep(const fs::path& source, const ScanOptions& options, const RawOptions& raw,
+              const Progress& progress) {
+  Scan scan = readScan(source, readOptions(options, raw), progress);
   if (!scan.spacingKnown) setSpacing(scan, options.spacing);
   fitIntoMemory(scan, options);
+  mirrorScan(scan, options.mirror);
   return scan;
 }
 
@@ -60,10 +62,11 @@ void Session::retime() {
   }
   ScanOptions options = document_.reading;
   options.spacing = document_.parameters.scan.spacing;
+  options.time = time;
   const auto scan = std::make_shared<Scan>();
   opener_.replace({fmt::format("Reading time step {}", time),
-                   [scan, source = document_.source, options, time](const Progress& progress) {
-                     *scan = readStep(source, options, time, progress);
+                   [scan, source = document_.source, options, raw = document_.raw](const Progress& progress) {
+                     *scan = readStep(source, options, raw, progress);
                    },
                    [this, scan] { adoptStep(std::move(*scan)); }});
 }

@@ -13,8 +13,9 @@ namespace sonoskin::ui {
 namespace {
 
 // The groups that have a panel of their own, or a place on one.
-constexpr std::array<std::string_view, 9> kElsewhere{
-    "classification", "region", "reconstruction", "global", "mesh", "print", "skin", "light", "landmarks"};
+constexpr std::array<std::string_view, 10> kElsewhere{"raw",    "classification", "region", "reconstruction",
+                                                      "global", "mesh",           "print",  "skin",
+                                                      "light",  "landmarks"};
 
 // The rows of a group under its heading; `below` is drawn after them.
 template <class Options, class Below>

@@ -70,6 +70,18 @@ const std::vector<Row>& rows() {
        {},
        "Voluson; samples of beams, or voxels; not packed by wavelets",
        "KRETZFILE"},
+      {F::voreen,
+       Holds::volume,
+       "Voreen",
+       {".dat", ".vvd"},
+       {},
+       "headers of raw files beside them; Inviwo's and QVis' too"},
+      {F::raw,
+       Holds::volume,
+       "raw numbers",
+       {".raw", ".bin", ".img"},
+       {},
+       "what `raw.dims` and its like say; Toshiba's RawData_VolN.bin by the PatientInfo.txt beside it"},
       {F::ply,
        Holds::mesh,
        "PLY",
@@ -192,6 +204,11 @@ bool beginsAs(FileFormat format, std::span<const std::uint8_t> start) {
   const Row& row = rowOf(format);
   return !row.begins.empty() && start.size() >= row.beginsAt + row.begins.size() &&
          !std::memcmp(start.data() + row.beginsAt, row.begins.data(), row.begins.size());
+}
+
+bool hasMark(std::span<const std::uint8_t> start) {
+  return std::ranges::any_of(
+      rows(), [&](const Row& row) { return row.holds == Holds::volume && beginsAs(row.format, start); });
 }
 
 FileFormat volumeFormat(const fs::path& file, std::span<const std::uint8_t> start) {

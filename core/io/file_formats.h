@@ -20,6 +20,8 @@ enum class FileFormat {
   vtk,
   dicom,
   kretz,
+  voreen,
+  raw,
   ply,
   stl,
   glb,
@@ -69,6 +71,8 @@ FileFormat requireFormat(FileKind kind, const std::filesystem::path& file);
 //   input   start  the first bytes of the file, 132 where it has so many
 //   errors  Error: none that is known here; the sentence names those that are
 FileFormat volumeFormat(const std::filesystem::path& file, std::span<const std::uint8_t> start);
+// hasMark: whether a file begins as any volume of a format that has a mark.
+bool hasMark(std::span<const std::uint8_t> start);
 // beginsAs: whether a file begins with the mark of a format that has one.
 bool beginsAs(FileFormat format, std::span<const std::uint8_t> start);
 

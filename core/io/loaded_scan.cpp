@@ -47,8 +47,10 @@ void convert(const SampleGrid& grid, Volume<float> samples, double edge, Scan& s
   const Geometry voxels = chooseVoxels(grid, edge);
   ConvertedScan converted = convertScan(grid, samples, voxels, progress);
   scan.volume = std::make_shared<const Volume<float>>(std::move(converted.volume));
-  scan.mask = std::make_shared<const Volume<std::uint8_t>>(std::move(converted.scanned));
   scan.beam = gridBeam(grid);
+  // Pictures of a pyramid were converted before, and have bounds of their own in them, which are found as in any volume.
+  if (!std::holds_alternative<PyramidGrid>(grid))
+    scan.mask = std::make_shared<const Volume<std::uint8_t>>(std::move(converted.scanned));
   noteConversion(grid, voxels);
 }
 
@@ -58,7 +60,8 @@ LoadedScan scanOf(LoadedVolume loaded, const ReadOptions& options, bool isScan, 
   StoredVolume& stored = loaded.stored;
   requireMemory(stored.geometry, kBytesToRead, availableMemory());
   NormalisedVolume normalised =
-      normalise(stored, loaded.numbers, progress.part(0, stored.grid ? 0.3 : 1), isScan);
+      normalise(stored, loaded.numbers, progress.part(0, stored.grid ? 0.3 : 1),
+                isScan && !stored.grid);  // samples have no padding: their grid ends where they do
   std::vector<std::uint8_t>().swap(loaded.numbers);
   LoadedScan result;
   Scan& scan = result.scan;

@@ -37,7 +37,9 @@ Pages pages() {
 std::uintmax_t bytesOf(const fs::path& path) {
   const std::string extension = lowerExtension(path);
   const bool isFolder = fs::is_directory(path);
-  if (!isFolder && extension != ".mhd" && extension != ".nhdr" && !isDicom(path)) return fileSize(path);
+  constexpr std::string_view headers[] = {".mhd", ".nhdr", ".dat", ".vvd", ".txt"};
+  if (!isFolder && std::ranges::find(headers, extension) == std::end(headers) && !isDicom(path))
+    return fileSize(path);
   std::uintmax_t bytes = 0;
   std::error_code code;
   const fs::path folder = isFolder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");

@@ -6,12 +6,29 @@
 #include "core/io/file_formats.h"
 #include "core/io/itk_files.h"
 #include "core/io/kretz_file.h"
+#include "core/io/raw_file.h"
+#include "core/io/toshiba_file.h"
+#include "core/io/voreen_dat.h"
+#include "core/io/voreen_vvd.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-FileFormat formatOf(const fs::path& path) { return volumeFormat(path, readBytes(path, 132)); }
+// A file of which was told what is in it needs no name and no mark, but one that has a mark is what that says.
+FileFormat formatOf(const fs::path& path, const RawOptions& raw) {
+  const std::vector<std::uint8_t> start = readBytes(path, 132);
+  if (isTold(raw) && !hasMark(start)) {
+    const FileFormat named = formatNamed(FileKind::readVolume, path).value_or(FileFormat::raw);
+    if (named == FileFormat::raw || named == FileFormat::kretz) return FileFormat::raw;
+  }
+  return volumeFormat(path, start);
+}
+
+LoadedVolume readVoreen(const fs::path& path, const ReadOptions& options, const Progress& progress) {
+  return lowerExtension(path) == ".vvd" ? readVoreenVvd(path, options, progress)
+                                        : readVoreenDat(path, options, progress);
+}
 
 DeclaredData declaredData(FileFormat format, const fs::path& path) {
   switch (format) {
@@ -29,13 +46,16 @@ DeclaredData declaredData(FileFormat format, const fs::path& path) {
 }  // namespace
 
 LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path);
+  if (!isTold(options.raw) && isToshiba(path)) return readToshiba(path, options, progress);
+  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path, options.raw);
   if (format == FileFormat::dicom) {
     LoadedVolume series = readDicomSeries(path, options, progress);
     checkGeometry(series.stored, path);
     return series;
   }
   if (format == FileFormat::kretz) return readKretzFile(path, options, progress);
+  if (format == FileFormat::voreen) return readVoreen(path, options, progress);
+  if (format == FileFormat::raw) return readRawFile(path, options, progress);
   require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
           options.volume);
   const DeclaredData data = declaredData(format, path);
@@ -44,9 +64,13 @@ LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const 
 }
 
 std::vector<VolumeEntry> volumesIn(const fs::path& path, const Progress& progress) {
-  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path);
+  if (isToshiba(path)) return {};
+  if (!fs::is_directory(path) && !formatNamed(FileKind::readVolume, path) && !hasMark(readBytes(path, 132)))
+    return {};  // of which may be told what is in it
+  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path, {});
   if (format == FileFormat::dicom) return dicomVolumes(path, progress);
   if (format == FileFormat::kretz) return kretzVolumes(readBytes(path), path);
+  if (format == FileFormat::voreen && lowerExtension(path) == ".vvd") return vvdVolumes(path);
   return {};
 }
 

@@ -133,6 +133,15 @@ std::string_view landmarkUse(const Parameters& p, std::string_view field) {
   return {};
 }
 
+std::string_view rawUse(const RawOptions& o, std::string_view field) {
+  if (!isTold(o) && field != "dims") return "Only used for files without a header: tell the dimensions first";
+  const bool ofSector = field == "firstRadius" || field == "axisDepth" || field == "fanAngle";
+  if (ofSector && o.grid != RawGrid::sector) return "Only used if the grid is a sector";
+  if (field == "sweepAngle" && o.grid == RawGrid::cartesian) return "Voxels have no beams";
+  if (field == "aperture" && o.grid != RawGrid::pyramid) return "Only used if the grid is a pyramid";
+  return {};
+}
+
 }  // namespace
 
 std::string_view unusedBecause(const Parameters& parameters, std::string_view group, std::string_view field) {
@@ -140,6 +149,7 @@ std::string_view unusedBecause(const Parameters& parameters, std::string_view gr
   if (group == "classification") return classificationUse(parameters.classification, field);
   if (group == "scan" && field == "apex" && parameters.scan.beamOrigin != BeamOrigin::given)
     return "Only used if the beams' origin is given";
+  if (group == "raw") return rawUse(parameters.raw, field);
   if (group == "reconstruction") return reconstructionUse(parameters, field);
   if (group == "print" && field != "form" && parameters.print.form == PrintForm::none)
     return "Choose a form first: shell or block";

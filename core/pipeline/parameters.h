@@ -5,6 +5,7 @@
 #include "core/classification/classification_options.h"
 #include "core/enhancement/enhancement_options.h"
 #include "core/face/face_options.h"
+#include "core/io/raw_options.h"
 #include "core/mesh/mesh_options.h"
 #include "core/mesh/print/print_options.h"
 #include "core/phantom/phantom_options.h"
@@ -23,6 +24,7 @@ namespace sonoskin {
 struct Parameters {
   PhantomOptions phantom;
   ScanOptions scan;
+  RawOptions raw;
   EnhancementOptions enhancement;
   ClassificationOptions classification;
   RegionOptions region;
@@ -49,6 +51,7 @@ requires OptionsOf<P, Parameters>
 void groups(F&& f, P& p) {
   f(Group{"phantom", "the simulated scan"}, p.phantom);
   f(Group{"scan", "how the volume was recorded"}, p.scan);
+  f(Group{"raw", "what a file without a header holds"}, p.raw);
   f(Group{"enhancement", "less speckle before anything else"}, p.enhancement);
   f(Group{"classification", "finding surfaces in the noise"}, p.classification);
   f(Group{"region", "the part of the volume that counts"}, p.region);

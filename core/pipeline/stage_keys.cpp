@@ -28,6 +28,8 @@ Key preparedKey(const Key& volume, const Parameters& p) {
   ScanOptions scan = p.scan;  // what is left out of the volume its own key tells
   scan.volume = 0, scan.time = 1;
   scan.half = false;
+  scan.voxel = 0;
+  scan.mirror = MirroredAxis::none;
   scan.cutLow = scan.cutHigh = {};
   addOptions(hasher, scan);
   return hasher.key();

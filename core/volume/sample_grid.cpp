@@ -136,17 +136,12 @@ std::optional<glm::dvec3> gridIndex(const SampleGrid& grid, const glm::dvec3& pl
   return std::visit([&](const auto& g) { return indexOf(g, place); }, grid);
 }
 
-Beam gridBeam(const SampleGrid& grid) {
+std::optional<Beam> gridBeam(const SampleGrid& grid) {
+  const auto* swept = std::get_if<SweptGrid>(&grid);
+  if (!swept) return {};
   Beam beam;
-  if (const auto* swept = std::get_if<SweptGrid>(&grid)) {
-    beam.axis = {0, 0, 1};
-    beam.apex = swept->parallel ? glm::dvec3(0, 0, swept->axisDepth) : glm::dvec3(0);
-    return beam;
-  }
-  // How beams run within a picture is not told: the planes of the stack meet where its width is none.
-  const auto& g = std::get<PyramidGrid>(grid);
-  if (g.growth > 0)
-    beam.apex = {0.5 * (g.dims.x - 1) * g.lateral, -g.aperture / g.growth - 0.5 * g.depth, g.middle()};
+  beam.axis = {0, 0, 1};
+  beam.apex = swept->parallel ? glm::dvec3(0, 0, swept->axisDepth) : glm::dvec3(0);
   return beam;
 }
 

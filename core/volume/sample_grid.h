@@ -62,8 +62,9 @@ glm::dvec3 gridPlace(const SampleGrid& grid, const glm::dvec3& index);
 std::optional<glm::dvec3> gridIndex(const SampleGrid& grid, const glm::dvec3& place);
 
 // gridBeam: how the sound runs. The beams of a swept fan start at the apex of its middle picture: exact in that picture, and
-// within a few degrees beside it, for the axis of the sweep lies nearer to the probe's face.
-Beam gridBeam(const SampleGrid& grid);
+// within a few degrees beside it, for the axis of the sweep lies nearer to the probe's face. Nothing for a pyramid, whose
+// pictures do not tell how they were sampled.
+std::optional<Beam> gridBeam(const SampleGrid& grid);
 
 // tableIndex: the place of a value in a strictly monotonic table, in entries; nothing beyond its ends.
 std::optional<double> tableIndex(const std::vector<double>& table, double value);

@@ -16,6 +16,10 @@ constexpr std::array<const char*, 6> enumNames(VolumeSide) {
 enum class BeamOrigin { automatic, given, parallel };
 constexpr std::array<const char*, 3> enumNames(BeamOrigin) { return {"automatic", "given", "parallel"}; }
 
+// MirroredAxis: an axis of the voxels that is turned over in the world.
+enum class MirroredAxis { none, i, j, k };
+constexpr std::array<const char*, 4> enumNames(MirroredAxis) { return {"none", "i", "j", "k"}; }
+
 // ScanOptions: what the file does not tell about the recording.
 struct ScanOptions {
   VolumeSide probeSide = VolumeSide::jLow;
@@ -25,6 +29,7 @@ struct ScanOptions {
   std::array<double, 3> spacing{0, 0, 0};
   int volume = 0, time = 1;
   double voxel = 0;
+  MirroredAxis mirror = MirroredAxis::none;
   bool half = false;
   std::array<double, 3> cutLow{0, 0, 0}, cutHigh{0, 0, 0};
 };
@@ -55,6 +60,11 @@ void fields(F&& f, O& o) {
           "as fine as they were sampled; when it is opened next",
           "mm"},
     o.voxel, Range{0.0, 10.0});
+  f(Field{"mirror",
+          "axis of a volume that is turned over in the world, for files whose left and right come out "
+          "swapped; "
+          "when it is opened next"},
+    o.mirror);
   f(Field{"half",
           "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},
     o.half);

@@ -248,13 +248,12 @@ TEST(VoxelsOf, GrowWhereThereAreTooMany) {
 }
 
 TEST(GridBeam, StartsAtTheApex) {
-  const Beam beam = gridBeam(smallTorus());
-  EXPECT_EQ(beam.axis, glm::dvec3(0, 0, 1));
-  EXPECT_EQ(beam.apex, glm::dvec3(0));
-  const Beam stack = gridBeam(smallPyramid());
-  EXPECT_EQ(stack.axis, glm::dvec3(0, 1, 0));
-  ASSERT_TRUE(stack.apex);
-  EXPECT_NEAR(smallPyramid().widthAt(stack.apex->y), 0, 1e-12);
+  const auto beam = gridBeam(smallTorus());
+  ASSERT_TRUE(beam);
+  EXPECT_EQ(beam->axis, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(beam->apex, glm::dvec3(0));
+  EXPECT_EQ(gridBeam(linearSweep())->apex, glm::dvec3(0, 0, -80));
+  EXPECT_FALSE(gridBeam(smallPyramid()));
 }
 
 }  // namespace

@@ -191,14 +191,75 @@ def geometry(spacing=0.5, kind=1, shift=0.0):
     return struct.pack("<3i15d3B", 5, 4, 3, spacing, 0.6, 0.7, shift, 0, 0, *identity, kind, 1, 1)
 
 
-def volume_answer():
-    """As core/io/reader_wire.cpp has it: what may be missing, then the rest in its order."""
+def volume_answer(grid=b"\0"):
+    """As core/io/reader_wire.cpp has it: what may be missing, the grid first, then the rest in its order."""
     text = b"NRRD"
-    head = struct.pack("<BB", 0, 0) + struct.pack("<Q", len(text)) + text
+    head = grid + struct.pack("<BB", 0, 0) + struct.pack("<Q", len(text)) + text
     identity = [float(r == c) for r in range(3) for c in range(3)]
     place = struct.pack("<3i3d3d9d", 4, 3, 2, 0.5, 0.5, 0.5, 0, 0, 0, *identity)
-    return (head + place + struct.pack("<BiiiBQQQ", 1, 1, 1, 1, 0, 0, 0, 24)
-            + struct.pack("<Q", len(VOXELS)) + VOXELS)
+    return head + place + struct.pack("<BiiidQQQQ", 1, 1, 1, 1, 0, 0, 0, 24, 24) + VOXELS
+
+
+def swept(fan, sweep):
+    """As the wire has a swept grid of four samples along a beam."""
+    tables = b"".join(struct.pack("<Q", len(t)) + struct.pack(f"<{len(t)}d", *t) for t in (fan, sweep))
+    return struct.pack("<Bi3d", 1, 4, 20, 0.5, 8) + tables + b"\0"
+
+
+# ---- volumes of scanners and other programs
+
+def kretz(*records, magic=b"KRETZFILE 1.0   "):
+    return magic + b"".join(struct.pack("<HHI", g, e, len(data)) + data for g, e, data in records)
+
+
+def kretz_records(toroidal=True, volume=0, voxels=None):
+    v = volume << 8
+    dims = [(0xC000, v | n, struct.pack("<H", size)) for n, size in ((1, 4), (2, 3), (3, 2))]
+    if not toroidal:
+        return dims + [(0x0010, 0x0022, struct.pack("<d", 0.25)), (0xD000, v | 1, voxels or VOXELS)]
+    right = 1.5707963267948966
+    return dims + [(0xC100, v | 1, struct.pack("<d", 0.0005)), (0xC200, v | 1, struct.pack("<d", 40)),
+                   (0xC200, v | 2, struct.pack("<d", -16)),
+                   (0xC300, v | 1, struct.pack("<2d", right - 0.2, right + 0.2)),
+                   (0xC300, v | 2, struct.pack("<3d", right - 0.3, right, right + 0.3)), (0xD000, v | 1, VOXELS)]
+
+
+END = (0xFFFF, 0xFFFF, b"")
+PERSON = (0x0110, 2, b"A^B")
+TOSHIBA = b"""[Geometry Data]
+Range = 4
+Azimuth = 3
+Elevation = 2
+RoiAxialSpanMm = 6
+AxialRoiStartMm = 50
+MechRadiusMm = 20
+ApexAngleAzimuthHalf = 30
+ApexAngleElevationHalf = 40
+Probe Type = Convex
+"""
+DAT = b"""ObjectFileName: a.raw
+Resolution: 4 3 2
+SliceThickness: 0.5 1 2
+Format: UCHAR
+ObjectModel: RGB
+ByteOrder: big-endian
+"""
+VVD = b"""<?xml version="1.0" ?><VoreenData version="1"><Volumes><Volume>
+<RawData filename="a.raw" format="Vector3(uint8)" x="4" y="3" z="2" /><MetaData>
+<MetaItem name="Offset" type="Vec3MetaData"><value x="1" y="2" z="3" /></MetaItem>
+<MetaItem name="Spacing" type="Vec3MetaData"><value x="0.5" y="1" z="2" /></MetaItem>
+<MetaItem name="Transformation" type="Mat4MetaData"><value><row0 x="0" y="-1" z="0" w="9" />
+<row1 x="1" y="0" z="0" w="0" /><row2 x="0" y="0" z="1" w="0" /></value></MetaItem>
+</MetaData></Volume></Volumes></VoreenData>
+"""
+
+
+def grid(kind, lengths, tables=()):
+    """As tests/fuzz/grid_fuzz.cpp takes it apart: bytes choose, one more than the least."""
+    if kind == "pyramid":
+        return bytes([0, 5, 6, 4]) + struct.pack("<4d", *lengths)
+    counted_tables = b"".join(bytes([len(t)]) + struct.pack(f"<{len(t)}d", *t) for t in tables)
+    return bytes([1, 6, kind == "parallel"]) + struct.pack("<3d", *lengths) + counted_tables
 
 
 # ---- pictures, texts
@@ -240,7 +301,20 @@ def corpus():
     yield "nifti", {}, {"plain": nifti(), "packed": gzip.compress(nifti(), mtime=0)}
     yield "dicom", {"explicit": dicom(False), "implicit": dicom(True)}, {}
     yield "geometry", {"plain": geometry()}, {"far": geometry(shift=1e300), "fine": geometry(spacing=1e-300)}
-    yield "volume_answer", {"whole": volume_answer()}, {}
+    fan, sweep = [-0.3, 0, 0.3], [-0.2, 0.2]
+    yield "volume_answer", {"whole": volume_answer(), "swept": volume_answer(swept(fan, sweep)),
+                            "pyramid": volume_answer(struct.pack("<B3i4d", 2, 4, 3, 2, 0.5, 0.5, 10, 0.5))}, {
+        "turned": volume_answer(swept(fan[::-1], [0.2, 0.2]))}
+    toroidal, voxels = kretz_records(), kretz_records(False)
+    yield "kretz", {"toroidal": kretz(PERSON, *toroidal, END), "cartesian": kretz(*voxels, END) + b"\0",
+                    "several": kretz(*toroidal, *kretz_records(True, 2)),
+                    "steps": kretz(*voxels, (0xD400, 1, b"\3\0"), (0xD600, 1, 3 * VOXELS))}, {
+        "packed": kretz((2, 0x1000, b"\1"), *voxels[:3], END), "long": kretz((0xC300, 1, b""), (0xD000, 1, b""))[:-4]
+        + b"\xff" * 4, "other": kretz(magic=b"KRETZFILE 2.0   "), "wide": kretz(*kretz_records(False, 0, 2 * VOXELS))}
+    yield "grid", {}, {"fan": grid("fan", (20, 0.5, 8), (fan, sweep)), "parallel": grid("parallel", (9, 1, -80), (fan, sweep)),
+                       "pyramid": grid("pyramid", (0.6, 0.7, 9, 0.5)), "fine": grid("fan", (1e3, 1e-4, 8), (fan, sweep))}
+    yield "toshiba", {"convex": TOSHIBA}, {"linear": TOSHIBA.replace(b"Convex", b"Linear").replace(b"= 20", b"= 130")}
+    yield "voreen", {"dat": b"\0" + DAT, "vvd": b"\1" + VVD}, {"outside": b"\0" + DAT.replace(b"a.raw", b"../a.raw")}
     yield "mask", {"bytes": geometry() + bytes(range(60)), "float": geometry(kind=8) + bytes(range(240))}, {
         "elsewhere": geometry(shift=500) + bytes(range(60)), "fine": geometry(spacing=0.0011, shift=9e4) + b"\1" * 60}
     yield "image", {"small": png(5, 3)}, {"large": png(16384, 16384, False)}
