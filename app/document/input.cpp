@@ -7,6 +7,7 @@
 #include "core/base/available_memory.h"
 #include "core/base/log.h"
 #include "core/io/file_formats.h"
+#include "core/io/meshes/vtk_surface_reader.h"
 #include "core/io/volume_reader.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
@@ -63,7 +64,9 @@ std::string inputName(const std::string& input) {
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
-bool isMeshFile(const std::string& file) { return formatNamed(FileKind::readMesh, file).has_value(); }
+bool isMeshFile(const std::string& file) {
+  return formatNamed(FileKind::readMesh, file).has_value() || isVtkSurface(file);
+}
 
 Box boxAround(const Mesh& mesh) {
   constexpr float kMargin = 1.5f;  // mm; the grey of an echo begins a little above the surface found in it

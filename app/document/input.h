@@ -47,7 +47,7 @@ Parameters withLandmarks(Parameters parameters, const std::string& input);
 // machine holds it only where that person asked for it.
 std::string inputName(const std::string& input);
 
-// isMeshFile: whether a file's ending is that of a mesh.
+// isMeshFile: whether a file's ending is that of a mesh, or the file is one of VTK's with polygons.
 bool isMeshFile(const std::string& file);
 
 // boxAround: the box of a surface and a little more: what a ray-cast shows of the volume, so that the wall of the uterus

@@ -7,15 +7,17 @@
 #include "core/io/meshes/ply_reader.h"
 #include "core/io/meshes/stl_reader.h"
 #include "core/io/meshes/three_mf_reader.h"
+#include "core/io/meshes/vtk_surface_reader.h"
 #include "core/io/meshes/vtp_reader.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-// How a format is read.
-Mesh (*readerOf(FileFormat format))(const fs::path&, const Progress&) {
-  switch (format) {
+// How a file is read.
+Mesh (*readerOf(const fs::path& path))(const fs::path&, const Progress&) {
+  if (isVtkSurface(path)) return readVtkSurface;
+  switch (requireFormat(FileKind::readMesh, path)) {
     case FileFormat::stl:
       return readStl;
     case FileFormat::obj:
@@ -34,7 +36,7 @@ Mesh (*readerOf(FileFormat format))(const fs::path&, const Progress&) {
 }  // namespace
 
 Mesh parseMesh(const fs::path& path, const Progress& progress) {
-  const auto read = readerOf(requireFormat(FileKind::readMesh, path));
+  const auto read = readerOf(path);
   progress.update(0);
   Mesh mesh = read(path, progress.part(0, 0.9));
   progress.update(0.9);

@@ -7,7 +7,8 @@
 
 namespace sonoskin {
 
-// readMesh: reads a triangle surface: PLY, STL, OBJ, GLB, 3MF or VTP, known by the name's extension.
+// readMesh: reads a triangle surface: PLY, STL, OBJ, GLB, 3MF or VTP, known by the name's extension, or a legacy VTK file of
+// polygons.
 //   output  world mm, LPS: glTF is in metres with +Y up, 3MF in the unit that it says; in PLY, STL, OBJ and VTP
 //           SPACE=RAS is obeyed where each of them has it, and without a mark LPS and mm are assumed, as 3D Slicer does.
 //           Polygons become triangles, parts become one mesh, vertices at equal positions become one, except in PLY and

@@ -12,6 +12,7 @@
 #include "tests/app/cli_support.h"
 #include "tests/support/dicom.h"
 #include "tests/support/gltf.h"
+#include "tests/support/kretz.h"
 #include "tests/support/meshes.h"
 #include "tests/support/zip.h"
 
@@ -154,6 +155,31 @@ TEST_F(PrivateFields, OfNrrd) {
   const fs::path file = folder.write("b.nrrd", bytes);
   EXPECT_EQ(sayNothing({"info", file.string()}, "NRRD"), 0);
   runNameless(file, "NRRD");
+}
+
+// Patient, hospital, probe, examination and machine have records of their own; what is not known may hold anything. [GE Kretz]
+std::string namedKretz(bool asSamples) {
+  KretzWriter kretz;
+  for (const auto& [group, element] :
+       {std::pair{0x0110u, 1u}, {0x0110, 2}, {0x0120, 1}, {0x0130, 1}, {0x0140, 2}, {0x0150, 7}, {0x0900, 1}})
+    kretz.record(group, element, kName);
+  kretz.record(0x0110, 3, kDate).record(0x0140, 3, kDate).dims(12, 8, 6);
+  if (asSamples)
+    kretz.torus({1.27, 1.36, 1.45, 1.54, 1.62, 1.71, 1.80, 1.89}, {1.36, 1.45, 1.54, 1.62, 1.71, 1.80});
+  else
+    kretz.values(0x0010, 0x22, {0.5});
+  return kretz.record(0xD000, 1, ramp(12 * 8 * 6)).record(0x0900, 2, kName).end().bytes();
+}
+
+TEST_F(PrivateFields, OfKretz) {
+  for (const bool asSamples : {false, true}) {
+    const std::string file = folder.write("a.vol", namedKretz(asSamples)).string();
+    EXPECT_EQ(sayNothing({"info", file, "--json"}, "Kretz"), 0);
+    EXPECT_EQ(sayNothing({"info", file}, "Kretz"), 0);
+    EXPECT_EQ(sayNothing({"info", folder.write("b.vol", namedKretz(asSamples).substr(0, 900)).string()},
+                         "cut Kretz"),
+              3);
+  }
 }
 
 // What is read is described without a name, and where it is refused nothing is quoted that could be one.

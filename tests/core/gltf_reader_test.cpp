@@ -192,6 +192,10 @@ TEST(ReadGltf, ExtensionsThatAreNotKnownAreNamed) {
   GltfMaker made = tetrahedron();
   made.root["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_basisu"};
   expectTetrahedron(made, "light and colour change no surface");
+  made.root["extensionsUsed"] = {"EXT_mesh_gpu_instancing", "KHR_animation_pointer"};
+  const auto said = warningsOf([&] { expectTetrahedron(made, "used, not required"); });
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("EXT_mesh_gpu_instancing"), std::string::npos);
   made.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   expectError([&] { readGlb(made); }, "needs EXT_mesh_gpu_instancing");
   made.root["extensionsRequired"] = {"Wilhelmina_Featherstone"};

@@ -62,6 +62,30 @@ TEST(ReadPly, ReadsBigEndian) {
   EXPECT_EQ(mesh.triangles[0], (Triangle{0, 2, 1}));
 }
 
+// As the Stanford scans are kept.
+TEST(ReadPly, ReadsStripsOfTriangles) {
+  const TempFolder folder;
+  const Mesh mesh = readMesh(folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 3\n"));
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {0, 1, 3}}));
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST(ReadPly, SaysWhatItsElementsLack) {
+  const TempFolder folder;
+  const auto with = [&](const std::string& what, const std::string& by) {
+    std::string text = squarePly();
+    text.replace(text.find(what), what.size(), by);
+    return folder.write("a.ply", text);
+  };
+  expectError([&] { readMesh(with("float z", "float depth")); }, "x, y and z are not all there");
+  expectError([&] { readMesh(with("int vertex_index", "int corners")); }, "list no vertex_indices");
+  expectError([&] { readMesh(with("format ascii 1.0", "format ascii8 1.0")); }, "not a complete PLY");
+}
+
 TEST(ReadMesh, ObeysTheFrameInTheHeader) {
   const TempFolder folder;
   const Mesh mesh = readMesh(folder.write("a.ply", squarePly("3D Slicer output. SPACE=RAS")));

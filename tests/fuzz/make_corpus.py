@@ -132,6 +132,16 @@ def vtp(packed):
             f'{array("Int32", "offsets", [3, 6, 9, 12])}</Polys></Piece></PolyData></VTKFile>').encode()
 
 
+def vtk_surface(binary):
+    flat = [x for c in CORNERS for x in c]
+    cells = [v for f in FACES for v in (3, *f)]
+    numbers = lambda form, values: (struct.pack(">%d%s" % (len(values), form), *values) if binary
+                                    else " ".join(map(str, values)).encode()) + b"\n"
+    return (b"# vtk DataFile Version 3.0\nSPACE=RAS\n" + (b"BINARY" if binary else b"ASCII")
+            + b"\nDATASET POLYDATA\nPOINTS 4 float\n" + numbers("f", flat) + b"POLYGONS 4 16\n" + numbers("i", cells)
+            + b"POINT_DATA 4\n")
+
+
 # ---- volumes
 
 VOXELS = bytes(range(24))  # 4 x 3 x 2
@@ -291,6 +301,9 @@ def corpus():
     yield "gltf", {"glb": glb(), "text": glb(True)}, {"many": glb().replace(b'"count": 12', b'"count": 4000000000')}
     yield "three_mf", {"model": three_mf(), "zip": zipped(three_mf("micron"))}, {
         "self": three_mf().replace(b'component objectid="1"', b'component objectid="2"')}
+    offsets = vtk_surface(False).split(b"POLYGONS")[0] + (
+        b"POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 2 1 0 1 3 0 3 2 1 2 3\n")
+    yield "vtk_surface", {"text": vtk_surface(False), "binary": vtk_surface(True), "offsets": offsets}, {}
     yield "vtp", {"text": vtp(False), "packed": vtp(True)}, {}
     yield "nrrd", {"raw": nrrd("raw", VOXELS), "gzip": nrrd("gzip", gzip.compress(VOXELS, mtime=0)),
                    "text": nrrd("ascii", text)}, {"outside": nrrd("raw", b"", "data file: ../b.raw\n")}

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/header_text.h"
 #include "core/io/meshes/base64.h"
@@ -30,6 +31,12 @@ bool isKnown(const std::string& name) {
                                                             "KHR_xmp"};
   return std::ranges::count(kFollowed, name) > 0 ||
          std::ranges::any_of(kColours, [&](std::string_view start) { return name.starts_with(start); });
+}
+
+// Those that would repeat, hide or replace surfaces, such as EXT_mesh_gpu_instancing.
+bool placesSurfaces(const std::string& name) {
+  return std::ranges::any_of(std::array{"_mesh", "_node", "_lod"},
+                             [&](const char* part) { return name.find(part) != std::string::npos; });
 }
 
 // An extension's name as the registry has them; another text of the file may be anybody's name and is not repeated.
@@ -107,6 +114,12 @@ void GltfFile::parse(std::span<const std::uint8_t> bytes) {
 }
 
 void GltfFile::requireKnownExtensions() const {
+  if (root_.contains("extensionsUsed"))
+    for (const json& entry : root_["extensionsUsed"])
+      if (const std::string name = entry.get<std::string>(); !isKnown(name) && placesSurfaces(name))
+        log(LogLevel::warning,
+            fmt::format("The glTF file uses {} of glTF that is not known here; it is read without.",
+                        forPeople(name)));
   if (!root_.contains("extensionsRequired")) return;
   for (const json& entry : root_["extensionsRequired"]) {
     const std::string name = entry.get<std::string>();

@@ -22,6 +22,7 @@ class Attributes {
       draco_ = std::make_unique<GltfDraco>(file, primitive["extensions"][kDraco]);
   }
 
+  bool isDraco() const { return draco_ != nullptr; }
   bool has(const std::string& name) const { return primitive_.at("attributes").contains(name); }
 
   template <class Vector>
@@ -115,7 +116,7 @@ GltfPrimitive readGltfPrimitive(const GltfFile& file, const json& primitive, con
              (made.uvs.empty() || made.uvs.size() == n));
   addTargets(primitive, morph, numbers, file, made);
   addInfluences(attributes, file, made);
-  made.triangles = trianglesOf(attributes.indices(n), mode);
+  made.triangles = trianglesOf(attributes.indices(n), attributes.isDraco() ? kTriangles : mode);
   for (const Triangle& t : made.triangles) file.check(std::max({t[0], t[1], t[2]}) < n);
   return made;
 }

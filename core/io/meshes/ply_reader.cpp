@@ -12,6 +12,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/header_text.h"
 #include "core/io/meshes/frame_tag.h"
+#include "core/io/meshes/ply_header.h"
 #include "core/io/meshes/polygon.h"
 
 namespace sonoskin {
@@ -20,112 +21,20 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers of big-endian files are turned round");
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-enum class Format { text, little, big };
-
-struct Property {
-  std::string name;
-  Type type = Type::float32;
-  std::optional<Type> count;  // of a list
-};
-struct Element {
-  std::string name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-};
-struct Header {
-  Format format = Format::text;
-  std::vector<Element> elements;
-  std::string comments;
-  std::size_t bytes = 0;
-};
-
-std::optional<Type> typeOf(std::string_view name) {
-  static constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"char", "int8"},
-                                                                          {"uchar", "uint8"},
-                                                                          {"short", "int16"},
-                                                                          {"ushort", "uint16"},
-                                                                          {"int", "int32"},
-                                                                          {"uint", "uint32"},
-                                                                          {"float", "float32"},
-                                                                          {"double", "float64"}}};
-  for (std::size_t t = 0; t < kNames.size(); ++t)
-    if (name == kNames[t][0] || name == kNames[t][1]) return Type(t);
-  return {};
-}
-
-std::size_t bytesOf(Type type) {
-  return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[std::size_t(type)];
-}
-
-[[noreturn]] void failHeader(const fs::path& path) {
-  throw Error(fmt::format("{} is not a complete PLY file; get a fresh copy.", path.string()));
-}
 [[noreturn]] void failBody(const fs::path& path) {
   throw Error(fmt::format("{} is damaged or ends too early; get a fresh copy.", path.string()));
-}
-
-// Adds what one line of the header says; false where it makes no sense.
-bool addLine(const std::vector<std::string_view>& line, Header& header) {
-  const std::string_view word = line[0];
-  if (word == "comment" || word == "obj_info") return true;
-  if (word == "format" && line.size() >= 2) {
-    if (line[1] == "ascii")
-      header.format = Format::text;
-    else if (line[1] == "binary_little_endian")
-      header.format = Format::little;
-    else if (line[1] == "binary_big_endian")
-      header.format = Format::big;
-    else
-      return false;
-    return true;
-  }
-  if (word == "element" && line.size() == 3) {
-    const auto count = parseNumber<std::uint64_t>(line[2]);
-    if (count) header.elements.push_back({std::string(line[1]), *count, {}});
-    return count.has_value();
-  }
-  if (word != "property" || header.elements.empty()) return false;
-  Property property;
-  const bool list = line.size() == 5 && line[1] == "list";
-  if (!list && line.size() != 3) return false;
-  const auto type = typeOf(line[list ? 3 : 1]);
-  if (list) property.count = typeOf(line[2]);
-  if (!type || (list && !property.count)) return false;
-  property.type = *type;
-  property.name = line.back();
-  header.elements.back().properties.push_back(property);
-  return true;
-}
-
-Header parseHeader(std::string_view text, const fs::path& path) {
-  Header header;
-  HeaderLines lines(text, path);
-  const auto magic = lines.next();
-  if (!magic || trimmed(*magic) != "ply") failHeader(path);
-  while (const auto line = lines.next()) {
-    const auto parts = words(*line);
-    if (parts.empty()) continue;
-    if (parts[0] == "comment" || parts[0] == "obj_info") header.comments.append(*line).append("\n");
-    if (parts[0] == "end_header") {
-      header.bytes = lines.position();
-      return header;
-    }
-    if (!addLine(parts, header)) failHeader(path);
-  }
-  failHeader(path);
 }
 
 // The numbers of the body, one after another.
 class Body {
  public:
-  Body(std::string_view bytes, Format format, const fs::path& path)
+  Body(std::string_view bytes, PlyFormat format, const fs::path& path)
       : bytes_(bytes), format_(format), path_(path) {}
 
-  double next(Type type) { return format_ == Format::text ? nextText() : nextBinary(type); }
+  double next(PlyType type) { return format_ == PlyFormat::text ? nextText() : nextBinary(type); }
   std::size_t left() const { return bytes_.size() - at_; }
   // least: the fewest bytes that a number can take.
-  std::size_t least(Type type) const { return format_ == Format::text ? 1 : bytesOf(type); }
+  std::size_t least(PlyType type) const { return format_ == PlyFormat::text ? 1 : bytesOf(type); }
 
  private:
   double nextText() {
@@ -136,23 +45,23 @@ class Body {
     if (!value) failBody(path_);
     return *value;
   }
-  double nextBinary(Type type) {
+  double nextBinary(PlyType type) {
     switch (type) {
-      case Type::int8:
+      case PlyType::int8:
         return take<std::int8_t>();
-      case Type::uint8:
+      case PlyType::uint8:
         return take<std::uint8_t>();
-      case Type::int16:
+      case PlyType::int16:
         return take<std::int16_t>();
-      case Type::uint16:
+      case PlyType::uint16:
         return take<std::uint16_t>();
-      case Type::int32:
+      case PlyType::int32:
         return take<std::int32_t>();
-      case Type::uint32:
+      case PlyType::uint32:
         return take<std::uint32_t>();
-      case Type::float32:
+      case PlyType::float32:
         return double(take<float>());
-      case Type::float64:
+      case PlyType::float64:
         return take<double>();
     }
     return 0;
@@ -162,7 +71,7 @@ class Body {
     if (left() < sizeof(T)) failBody(path_);
     std::array<char, sizeof(T)> raw;
     std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
-    if (format_ == Format::big) std::reverse(raw.begin(), raw.end());
+    if (format_ == PlyFormat::big) std::reverse(raw.begin(), raw.end());
     at_ += sizeof(T);
     return std::bit_cast<T>(raw);
   }
@@ -170,18 +79,18 @@ class Body {
 
   std::string_view bytes_;
   std::size_t at_ = 0;
-  Format format_;
+  PlyFormat format_;
   const fs::path& path_;
 };
 
 // An element takes at least this many bytes each: a declared count beyond the file's end is refused at once.
-void checkRoom(const Element& element, const Body& body, const fs::path& path) {
+void checkRoom(const PlyElement& element, const Body& body, const fs::path& path) {
   std::uint64_t each = 0;
-  for (const Property& p : element.properties) each += body.least(p.count.value_or(p.type));
+  for (const PlyProperty& p : element.properties) each += body.least(p.count.value_or(p.type));
   if (element.count > body.left() / std::max<std::uint64_t>(each, 1)) failBody(path);
 }
 
-void skipProperty(const Property& property, Body& body) {
+void skipProperty(const PlyProperty& property, Body& body) {
   if (!property.count) {
     body.next(property.type);
     return;
@@ -200,13 +109,13 @@ std::string_view usualName(const std::string& name) {
 // A label of another program may be anything: beyond a byte it says nothing to us.
 std::uint8_t labelOf(float value) { return value >= 0 && value <= 255 ? std::uint8_t(value) : 0; }
 
-void readVertices(const Element& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
+void readVertices(const PlyElement& element, Body& body, Mesh& mesh, std::vector<glm::vec2>& uvs,
                   const fs::path& path, const Progress& progress) {
   static constexpr std::array<std::string_view, 11> kNames{"x",          "y", "z", "nx",    "ny",      "nz",
                                                            "visibility", "s", "t", "label", "measured"};
   std::vector<std::size_t> slots;  // where each property goes; kNames.size(): nowhere
   std::array<bool, kNames.size()> has{};
-  for (const Property& p : element.properties) {
+  for (const PlyProperty& p : element.properties) {
     const auto found = p.count ? kNames.end() : std::find(kNames.begin(), kNames.end(), usualName(p.name));
     slots.push_back(std::size_t(found - kNames.begin()));
     if (found != kNames.end()) has[slots.back()] = true;
@@ -238,7 +147,7 @@ struct Polygons {
   std::vector<std::size_t> ends;
 };
 
-void readPolygon(const Property& property, Body& body, Polygons& polygons, const fs::path& path) {
+void readPolygon(const PlyProperty& property, Body& body, Polygons& polygons, const fs::path& path) {
   const double count = body.next(*property.count);
   if (!(count >= 0) || count * double(body.least(property.type)) > double(body.left())) failBody(path);
   for (double n = 0; n < count; ++n) {
@@ -250,7 +159,7 @@ void readPolygon(const Property& property, Body& body, Polygons& polygons, const
 }
 
 // Strips of triangles, -1 between one and the next; every second triangle is turned.
-void readStrips(const Property& property, Body& body, Polygons& polygons, const fs::path& path) {
+void readStrips(const PlyProperty& property, Body& body, Polygons& polygons, const fs::path& path) {
   const double count = body.next(*property.count);
   if (!(count >= 0) || count * double(body.least(property.type)) > double(body.left())) failBody(path);
   std::vector<std::uint32_t> last;
@@ -271,18 +180,18 @@ void readStrips(const Property& property, Body& body, Polygons& polygons, const 
   }
 }
 
-bool listsVertices(const Property& p) {
+bool listsVertices(const PlyProperty& p) {
   return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
-void readFaces(const Element& element, Body& body, Polygons& polygons, const fs::path& path,
+void readFaces(const PlyElement& element, Body& body, Polygons& polygons, const fs::path& path,
                const Progress& progress) {
   require(std::ranges::any_of(element.properties, listsVertices),
           "{} has faces that list no vertex_indices; save it anew as PLY, or as STL.", path.string());
   const bool strips = element.name == "tristrips";
   for (std::uint64_t f = 0; f < element.count; ++f) {
     if (f % 65536 == 0) progress.update(double(f) / double(element.count));
-    for (const Property& p : element.properties) {
+    for (const PlyProperty& p : element.properties) {
       if (!listsVertices(p))
         skipProperty(p, body);
       else if (strips)
@@ -327,12 +236,12 @@ void setUvs(const std::vector<glm::vec2>& uvs, Mesh& mesh) {
 Mesh readPly(const fs::path& path, const Progress& progress) {
   const std::vector<std::uint8_t> bytes = readBytes(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const Header header = parseHeader(text, path);
+  const PlyHeader header = parsePlyHeader(text, path);
   Body body(text.substr(header.bytes), header.format, path);
   Mesh mesh;
   Polygons polygons;
   std::vector<glm::vec2> uvs;
-  for (const Element& element : header.elements) {
+  for (const PlyElement& element : header.elements) {
     checkRoom(element, body, path);
     if (element.name == "vertex")
       readVertices(element, body, mesh, uvs, path, progress.part(0, 0.5));
@@ -340,7 +249,7 @@ Mesh readPly(const fs::path& path, const Progress& progress) {
       readFaces(element, body, polygons, path, progress.part(0.5, 0.9));
     else
       for (std::uint64_t n = 0; n < element.count; ++n)
-        for (const Property& p : element.properties) skipProperty(p, body);
+        for (const PlyProperty& p : element.properties) skipProperty(p, body);
   }
   splitAll(polygons, mesh, path);
   checkResult(mesh, path);
