@@ -67,6 +67,7 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   source = opened.source;
   parameters.scan.volume = reading.volume;
   parameters.scan.time = reading.time;
+  parameters.scan.mirror = reading.mirror;
   phantom = opened.phantom;
 }
 

@@ -22,6 +22,7 @@ void Session::adopt(Opened opened) {
   frame_.scan = std::move(opened.scan);
   steps_.clear();
   asked_ = 0;
+  turned_ = document_.reading.mirror;
   warned_.clear();
   ++opened_;
   ++revision_;
@@ -47,6 +48,7 @@ void Session::change(const std::function<void(Document&)>& edit) {
   }
   respace();
   retime();
+  turnOver();
 }
 
 // Only the adaptive method is fast enough for that.

@@ -152,6 +152,7 @@ class Session {
   void adopt(Opened opened);
   void openFile(const std::filesystem::path& path, const ScanOptions& options);
   void retime();
+  void turnOver();
   void adoptStep(Scan scan);
   void takeRecipe(const std::string& text);
   // make: fills in what is opened, in the background
@@ -180,8 +181,9 @@ class Session {
   Frame frame_;
   Key savedMesh_, savedErased_;  // of what was saved last
   std::optional<VolumeChoice> choice_;
-  int asked_ = 0;           // the time step that is being read; 0: none
-  std::deque<Scan> steps_;  // other time steps of the recording, the last one seen first
+  int asked_ = 0;                             // the time step that is being read; 0: none
+  MirroredAxis turned_ = MirroredAxis::none;  // as asked for last
+  std::deque<Scan> steps_;                    // other time steps of the recording, the last one seen first
   bool follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   MeshOrigin requested_;         // from what

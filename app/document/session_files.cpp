@@ -55,6 +55,7 @@ void Session::openFile(const fs::path& path) {
     options.spacing = ScanOptions().spacing;
     options.volume = ScanOptions().volume;
     options.time = ScanOptions().time;
+    options.mirror = ScanOptions().mirror;
   }
   openFile(path, options);
 }
@@ -95,6 +96,7 @@ void Session::openPhantom() {
        [options = document_.parameters.scan](Opened& made, const Progress& progress) {
          made.scan = makePhantomScan(*made.phantom, progress);
          fitIntoMemory(made.scan, options);
+         mirrorScan(made.scan, options.mirror);
          made.reading = options;
        });
 }

@@ -71,6 +71,25 @@ void Session::retime() {
                    [this, scan] { adoptStep(std::move(*scan)); }});
 }
 
+// Another axis that is turned over, or none, makes another scan of the same voxels: its landmarks begin anew.
+void Session::turnOver() {
+  const MirroredAxis mirror = document_.parameters.scan.mirror;
+  if (!hasScan() || document_.source.empty() || mirror == turned_) return;
+  turned_ = mirror;
+  ScanOptions options = document_.reading;
+  options.spacing = document_.parameters.scan.spacing;
+  options.mirror = mirror;
+  Opened opened{{}, document_.name};
+  opened.givesSpacing = document_.givesSpacing;
+  opened.isAnother = false;
+  opened.reading = options;
+  opened.raw = document_.raw;
+  opened.source = document_.source;
+  open("Turning an axis over", std::move(opened), [](Opened& made, const Progress& progress) {
+    made.scan = readStep(made.source, made.reading, made.raw, progress);
+  });
+}
+
 // The document stays as it is: landmarks, box, erased parts and look go along. What was made of the step before stays in
 // sight until there is something newer.
 void Session::adoptStep(Scan scan) {
@@ -89,9 +108,11 @@ void Session::saveSequence(const fs::path& path, StepRange steps) {
   parameters.print.form = PrintForm::none;
   ScanOptions options = document_.reading;
   options.spacing = document_.parameters.scan.spacing;
-  const auto load = [source = document_.source, options, erased = document_.erased.snapshot(),
-                     key = document_.erased.key()](int time, const Progress& progress) {
-    Scan scan = readStep(source, options, time, progress);
+  const auto load = [source = document_.source, options, raw = document_.raw,
+                     erased = document_.erased.snapshot(),
+                     key = document_.erased.key()](int time, const Progress& progress) mutable {
+    options.time = time;
+    Scan scan = readStep(source, options, raw, progress);
     scan.erased = erased;
     scan.erasedKey = key;
     return scan;

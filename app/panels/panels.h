@@ -29,6 +29,7 @@ void drawStatusBar(Workspace& workspace);
 void drawKeys(Workspace& workspace);
 void drawAbout(Workspace& workspace);
 void drawQuestion(Workspace& workspace);      // before unsaved work is lost
+void drawRawQuestion(Workspace& workspace);   // what a file without a header holds
 void drawVolumeChoice(Workspace& workspace);  // which of several volumes in a file is opened
 float drawLog(Workspace& workspace);  // all messages, at the lower right; its height, 0 while it is closed
 

@@ -129,7 +129,7 @@ void Application::updateDocument() {
 
 void Application::draw() {
   const auto isAsking = [this] {
-    return workspace_.files.purpose || workspace_.question || workspace_.choice;
+    return workspace_.files.purpose || workspace_.question || workspace_.choice || workspace_.rawQuestion;
   };
   const bool asked = isAsking();
   std::optional<Event> event;
@@ -169,6 +169,7 @@ void Application::drawInterface() {
   ui::drawAbout(workspace_);
   ui::drawQuestion(workspace_);
   ui::drawVolumeChoice(workspace_);
+  ui::drawRawQuestion(workspace_);
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float below = ui::drawLog(workspace_);
   toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),

@@ -106,11 +106,14 @@ const Tool* chosenTool(const W& w) {
   return found == kTools.end() ? nullptr : &*found;
 }
 
+bool isAsked(const W& w) { return w.question || w.choice || w.rawQuestion; }
+
 // Escape ends what is most in the way.
 void escape(W& w) {
-  if (w.question || w.choice) {
+  if (isAsked(w)) {
     w.question.reset();
     w.choice.reset();
+    w.rawQuestion.reset();
   } else if (const Tool* tool = chosenTool(w)) {
     putAway(w.view, *tool);
   } else if (busy(w)) {
@@ -119,7 +122,7 @@ void escape(W& w) {
     w.view.maximised.reset();
   }
 }
-bool canEscape(const W& w) { return w.question || w.choice || chosenTool(w) || busy(w) || w.view.maximised; }
+bool canEscape(const W& w) { return isAsked(w) || chosenTool(w) || busy(w) || w.view.maximised; }
 
 constexpr Shortcut key(int k) { return {k, false, false}; }
 constexpr Shortcut control(int k) { return {k, true, false}; }

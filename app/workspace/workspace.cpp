@@ -1,6 +1,7 @@
 #include "app/workspace/workspace.h"
 
 #include "app/document/face_view.h"
+#include "core/io/raw_file.h"
 
 namespace sonoskin {
 
@@ -14,8 +15,30 @@ void Workspace::confirmLoss(const std::string& what, std::function<void()> actio
 void Workspace::open(const std::filesystem::path& file) {
   confirmLoss("Opening another scan", [this, file] {
     settings.noteOpened(file);
-    session.openFile(file);
+    askOrOpen(file);
   });
+}
+
+// A file without a header is opened once the person has said what it holds; what was said last, or its size, proposes.
+void Workspace::askOrOpen(const std::filesystem::path& file) {
+  std::error_code code;
+  const bool isFile = std::filesystem::is_regular_file(file, code);
+  if (!isFile || !needsRawOptions(file, {})) return session.openFile(file);
+  RawQuestion asked{file, session.parameters().raw, std::filesystem::file_size(file, code)};
+  const std::vector<RawGuess> guesses = guessRaw(asked.bytes);
+  if (!isTold(asked.options) && !guesses.empty()) {
+    asked.options.dims = guesses.front().dims;
+    asked.options.type = guesses.front().type;
+  }
+  rawQuestion = asked;
+}
+
+void Workspace::openRaw() {
+  Parameters parameters = session.parameters();
+  parameters.raw = rawQuestion->options;
+  session.edit(parameters);
+  session.openFile(rawQuestion->file);
+  rawQuestion.reset();
 }
 
 void Workspace::lookAtFace() {

@@ -24,10 +24,19 @@ struct Workspace {
     std::string what;  // "Opening another scan"
     std::function<void()> action;
   };
+  // RawQuestion: a file without a header, and what the person says of it.
+  struct RawQuestion {
+    std::filesystem::path file;
+    RawOptions options;
+    std::uintmax_t bytes = 0;  // of the file
+  };
   // confirmLoss: does something that ends the document, after a question where work would be lost.
   void confirmLoss(const std::string& what, std::function<void()> action);
   // open: a volume file, remembered as a recent one.
   void open(const std::filesystem::path& file);
+  void askOrOpen(const std::filesystem::path& file);
+  // openRaw: the file of rawQuestion, as it says.
+  void openRaw();
 
   // lookAtFace: at the face where it is known, else from the probe.
   void lookAtFace();
@@ -38,7 +47,8 @@ struct Workspace {
   ui::FileDialog files;
   ui::Toasts toasts;
   std::optional<Question> question;
-  std::optional<VolumeChoice> choice;  // of several volumes in a file, which the person is asked to make
+  std::optional<VolumeChoice> choice;      // of several volumes in a file, which the person is asked to make
+  std::optional<RawQuestion> rawQuestion;  // what a file without a header holds
   TimePlay play;
   bool keysShown = false, aboutShown = false;
   glm::dvec3 typedSpacing{1};  // mm; for files that give none

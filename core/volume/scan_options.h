@@ -62,8 +62,7 @@ void fields(F&& f, O& o) {
     o.voxel, Range{0.0, 10.0});
   f(Field{"mirror",
           "axis of a volume that is turned over in the world, for files whose left and right come out "
-          "swapped; "
-          "when it is opened next"},
+          "swapped"},
     o.mirror);
   f(Field{"half",
           "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},

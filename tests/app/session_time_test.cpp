@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/mesh_reader.h"
-#include "core/pipeline/recipe.h"
+#include "core/pipeline/phantom_landmarks.h"
 #include "tests/app/session_support.h"
 #include "tests/support/program.h"
 #include "tests/support/recording.h"
@@ -92,6 +92,29 @@ TEST(SessionTime, AnotherFileBeginsWithItsFirstStep) {
   EXPECT_EQ(session.scan().timeSteps, 2);
   EXPECT_EQ(session.scan().time, 1);
   EXPECT_EQ(session.parameters().scan.time, 1);
+}
+
+// An axis that is turned over makes another scan at once, and turned back the same one; its landmarks are its own.
+TEST(SessionTime, TurnsAnAxisOver) {
+  const TempFolder folder;
+  OpenRecording session(folder);
+  const Scan before = session.scan();
+  Parameters parameters = session.parameters();
+  parameters.landmarks.noseTip = {1, 2, 3};
+  parameters.scan.mirror = MirroredAxis::i;
+  session.edit(parameters);
+  session.commitEdit();
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.scan().volume->geometry.mirrors());
+  EXPECT_FALSE(hasLandmarks(session.parameters().landmarks));
+  session.goTo(2);
+  EXPECT_TRUE(session.scan().volume->geometry.mirrors());
+  session.goTo(1);
+  parameters = session.parameters();
+  parameters.scan.mirror = MirroredAxis::none;
+  session.edit(parameters);
+  ASSERT_TRUE(wait(session));
+  EXPECT_TRUE(session.scan().key == before.key);
 }
 
 TEST(SessionTime, SavesASequenceOfMeshesWithOneRecipe) {
