@@ -153,6 +153,7 @@ Command addInfoCommand(CLI::App& program, Console& console) {
   options->reading.addOne(*command, "volume", "scan.volume");
   options->reading.addOne(*command, "time", "scan.time");
   options->reading.addOne(*command, "", "scan.voxel");
+  options->reading.addOne(*command, "", "scan.regionOnly");
   for (const ParameterInfo& parameter : describeParameters({}))
     if (parameter.name.starts_with("raw.")) options->reading.addOne(*command, "", parameter.name);
   console.addThreads(*command);

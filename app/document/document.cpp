@@ -77,6 +77,7 @@ Parameters recipeParameters(const Document& document) {
   parameters.raw = document.raw;
   parameters.scan.volume = document.reading.volume;
   parameters.scan.time = document.reading.time;
+  parameters.scan.regionOnly = document.reading.regionOnly;
   parameters.scan.half = document.reading.half;
   parameters.scan.cutLow = document.reading.cutLow;
   parameters.scan.cutHigh = document.reading.cutHigh;

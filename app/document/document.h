@@ -20,8 +20,8 @@ struct Opened {
   bool isAnother = true;                    // not the one that is open, with another spacing
   std::optional<PhantomOptions> phantom{};  // what a simulated scan was made with
   ScanOptions
-      reading{};     // volume, time, voxel, mirror, half, cutLow, cutHigh: which it is, and how it was read
-  RawOptions raw{};  // what its file was told to hold
+      reading{};  // volume, time, voxel, mirror, regionOnly, half, cutLow, cutHigh: which it is, and how it was read
+  RawOptions raw{};                // what its file was told to hold
   std::filesystem::path source{};  // of a scan from a file, from which another time step may be asked for
 };
 

@@ -15,12 +15,16 @@ namespace sonoskin {
 //   errors  as readBytes
 bool isDicom(const std::filesystem::path& path);
 
-// readDicomSeries: reads the slices of a series, sorted by their positions along their common normal.
-//   input   path  a folder: its largest series; a file: the series that it belongs to, or its own frames
-//   output  numbers after the file's rescale slope and intercept; spacing along k is the distance between positions
-//   errors  Error: no series, slices of different sizes, missing slices (distances that differ by a tenth), an element
-//           that is longer than its file, a file that holds no pixels or needs the maker's own reader; Cancelled
-// No text element is kept.
+// readDicomSeries: reads a volume of DICOM: slices of a series, frames of a file, or what its maker has made of it.
+//   input   path  a folder or a DICOMDIR, with one volume or the one that the options choose; or a file: the volume that it is
+//                 part of
+//   output  numbers after the file's rescale slope and intercept, colours as red, green and blue. The geometry is that of the
+//           frames' own places and directions, in mm and LPS. Slices that lie across each other by the same distance, as those
+//           of a tilted gantry do, are put onto a straight grid, which the log tells.
+//   errors  Error: no volume, several of them and none chosen; slices that make no volume (core/io/dicom_stacks.h); a film; an
+//           element that is longer than its file; pixels that are missing, or packed in an unknown way; what only its maker's
+//           programs read; Cancelled
+// Only elements of a list are taken from a file (core/io/dicom_tags.h); none of its text is kept or shown.
 LoadedVolume readDicomSeries(const std::filesystem::path& path, const ReadOptions& options = {},
                              const Progress& progress = {});
 

@@ -13,8 +13,7 @@ namespace itk {
 class ImageIOBase;
 }
 
-// Volumes in one file (NRRD, MetaImage, NIfTI, VTK), read and written by ITK. This file, dicom_slice.cpp and dicom_series.cpp
-// are the only ones that see it.
+// Volumes in one file (NRRD, MetaImage, NIfTI, VTK), read and written by ITK. No other file sees it.
 namespace sonoskin {
 
 // readWithItk: reads a file that checkData has let through.

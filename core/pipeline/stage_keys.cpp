@@ -27,7 +27,7 @@ Key preparedKey(const Key& volume, const Parameters& p) {
   hasher.add(volume).add(p.classification.lowPass).add(p.classification.directionScale);
   ScanOptions scan = p.scan;  // what is left out of the volume its own key tells
   scan.volume = 0, scan.time = 1;
-  scan.half = false;
+  scan.half = scan.regionOnly = false;
   scan.voxel = 0;
   scan.mirror = MirroredAxis::none;
   scan.cutLow = scan.cutHigh = {};

@@ -30,6 +30,7 @@ struct ScanOptions {
   int volume = 0, time = 1;
   double voxel = 0;
   MirroredAxis mirror = MirroredAxis::none;
+  bool regionOnly = false;
   bool half = false;
   std::array<double, 3> cutLow{0, 0, 0}, cutHigh{0, 0, 0};
 };
@@ -64,6 +65,10 @@ void fields(F&& f, O& o) {
           "axis of a volume that is turned over in the world, for files whose left and right come out "
           "swapped"},
     o.mirror);
+  f(Field{"regionOnly",
+          "blanks what lies outside of the picture in ultrasound of DICOM, such as names that are burnt in, "
+          "where the file says where the picture lies; when it is opened next"},
+    o.regionOnly);
   f(Field{"half",
           "reads a volume at half its resolution, in an eighth of the memory; when it is opened next"},
     o.half);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/log.h"
+#include "core/io/volume_loader.h"
 #include "core/io/volume_reader.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
@@ -11,6 +13,7 @@
 namespace sonoskin {
 namespace {
 
+namespace fs = std::filesystem;
 using test::expectError;
 
 class SharedData : public testing::Test {
@@ -81,12 +84,38 @@ TEST_F(SharedData, DicomSeriesIsSortedByPosition) {
   EXPECT_LT(difference, 0.2 * spread);
 }
 
-TEST_F(SharedData, MakersFormatsAreRefusedInOneSentence) {
-  for (const char* name : {"kretz/brainphantom_toroidal.vol", "kretz/brainphantom_kretz_in_dicom.dcm"})
-    expectError([&] { readScan(data_ / name); }, "Kretz");
-  for (const char* name : {"us/itksnap_echo/echo_cartesian_dummy.dcm",
-                           "us/itksnap_echo/echo_cartesian_philips_3frames_realvoxels.dcm"})
-    expectError([&] { readScan(data_ / name); }, "Philips");
+// The same torus, whatever it lies in.
+TEST_F(SharedData, KretzInDicomIsTheKretzFile) {
+  const LoadedVolume plain = loadVolume(data_ / "kretz/brainphantom_toroidal.vol");
+  const LoadedVolume inside = loadVolume(data_ / "kretz/brainphantom_kretz_in_dicom.dcm");
+  EXPECT_EQ(inside.stored.geometry.dims, glm::ivec3(200, 96, 80));
+  EXPECT_EQ(inside.stored.grid.has_value(), plain.stored.grid.has_value());
+  EXPECT_EQ(inside.numbers, plain.numbers);
+  EXPECT_EQ(readScan(data_ / "kretz/brainphantom_kretz_in_dicom.dcm").key,
+            readScan(data_ / "kretz/brainphantom_toroidal.vol").key);
+}
+
+// The header calls millimetres centimetres: it is read as it says, with a word. The voxels are those of the NIfTI.
+TEST_F(SharedData, PhilipsCartesianIsReadAsItSays) {
+  const fs::path path = data_ / "us/itksnap_echo/echo_cartesian_philips_3frames_realvoxels.dcm";
+  const LogRecord record;
+  for (int t = 1; t <= 3; ++t) {
+    const Scan scan = readScan(path, {0, t}),
+               other = readScan(data_ / "us/itksnap_echo/ultrasound_img4d.nii.gz", {0, t});
+    EXPECT_EQ(scan.volume->geometry.dims, glm::ivec3(56, 52, 56));
+    EXPECT_NEAR(glm::length(scan.volume->geometry.spacing - 10.0 * other.volume->geometry.spacing), 0, 1e-3);
+    double off = 0;
+    for (std::size_t v = 0; v < scan.volume->data.size(); ++v)
+      off = std::max(
+          off, std::abs(255 * double(scan.volume->data[v]) -
+                        std::round(double(other.volume->data[v]) * (other.originalMax - other.originalMin) +
+                                   other.originalMin)));
+    EXPECT_LE(off, 1.001) << t;
+  }
+  ASSERT_FALSE(record.sentences(LogLevel::warning).empty());
+  EXPECT_NE(record.sentences(LogLevel::warning)[0].find("larger than any probe sees"), std::string::npos);
+  expectError([&] { readScan(data_ / "us/itksnap_echo/echo_cartesian_dummy.dcm"); },
+              "longer than what is left of it");
 }
 
 TEST_F(SharedData, NothingNamesThePatient) {

@@ -178,7 +178,8 @@ def nifti():
     return bytes(head) + bytes(4) + VOXELS
 
 
-def dicom(implicit):
+def dicom(implicit=False, series=None, number=1, place=0):
+    """A file of three frames or, of a series, of one slice."""
     def element(tag, vr, value):
         value += b"\0" * (len(value) % 2)
         if implicit and tag >> 16 != 2:
@@ -187,12 +188,37 @@ def dicom(implicit):
             return struct.pack("<HH2sHI", tag >> 16, tag & 0xFFFF, vr.encode(), 0, len(value)) + value
         return struct.pack("<HH2sH", tag >> 16, tag & 0xFFFF, vr.encode(), len(value)) + value
 
+    def numbers(tag, *values):
+        return b"".join(element(tag + n, "US", struct.pack("<H", value)) for n, value in enumerate(values))
+
     syntax = b"1.2.840.10008.1.2" + (b"" if implicit else b".1")
     item = element(0x00080060, "CS", b"US")
     sequence = struct.pack("<HHI", 0xFFFE, 0xE000, len(item)) + item
-    return (bytes(128) + b"DICM" + element(0x00020010, "UI", syntax) + element(0x00080060, "CS", b"US")
-            + element(0x00081140, "SQ", sequence) + element(0x00280010, "US", struct.pack("<H", 4))
-            + element(0x7FE00010, "OW", VOXELS))
+    frames = b"" if series else element(0x00280008, "IS", b"3")
+    places = element(0x00200032, "DS", b"0\\0\\%d" % place) + element(0x00200037, "DS", b"1\\0\\0\\0\\1\\0")
+    return (bytes(128) + b"DICM" + element(0x00020010, "UI", syntax) + element(0x00080018, "UI", b"1.%d" % number)
+            + element(0x00080060, "CS", b"US") + element(0x00081140, "SQ", sequence)
+            + element(0x00180088, "DS", b"0.8") + element(0x0020000E, "UI", series or b"1.2") + places + frames
+            + numbers(0x00280010, 4, 5) + element(0x00280030, "DS", b"0.5\\0.6") + numbers(0x00280100, 8, 8, 7, 0)
+            + element(0x7FE00010, "OW", VOXELS[:20] if series else VOXELS))
+
+
+def dicom_folder(files, directory=None):
+    """As tests/fuzz/dicom_folder_fuzz.cpp takes it apart."""
+    parts = [struct.pack("<H", 2 * len(file[132:])) + file[132:] for file in files]
+    if directory:
+        parts.append(struct.pack("<H", 2 * len(directory[132:]) + 1) + directory[132:])
+    return b"".join(parts)
+
+
+def dicom_samples():
+    """The small ones of tests/data/dicom; those that no volume can be read of apart."""
+    folder = pathlib.Path(__file__).resolve().parents[1] / "data/dicom"
+    refused = {"us_film", "movie_group", "philips_native", "encapsulated_stl"}
+    good, other = {}, {}
+    for file in sorted(folder.glob("*.dcm")):
+        (other if file.stem in refused else good)[file.stem] = file.read_bytes()
+    return good, other, (folder / "file_set/DICOMDIR").read_bytes()
 
 
 def geometry(spacing=0.5, kind=1, shift=0.0):
@@ -312,7 +338,13 @@ def corpus():
                        zlib.compress(VOXELS))}, {"list": meta("", b"").replace(b"LOCAL", b"LIST\na\n")}
     yield "vtk", {"binary": vtk("BINARY", VOXELS), "text": vtk("ASCII", text)}, {}
     yield "nifti", {}, {"plain": nifti(), "packed": gzip.compress(nifti(), mtime=0)}
-    yield "dicom", {"explicit": dicom(False), "implicit": dicom(True)}, {}
+    good, other, directory = dicom_samples()
+    yield "dicom", {"explicit": dicom(False), "implicit": dicom(True)} | good, other
+    slices = [dicom(series=b"1.3", number=k, place=k) for k in range(4)]
+    more = [dicom(series=b"1.4", number=10 + k, place=3 * k) for k in range(3)]
+    yield "dicom_folder", {"series": dicom_folder(slices), "two": dicom_folder(slices + more)}, {
+        "directory": dicom_folder(slices, directory), "gap": dicom_folder(slices[:2] + slices[3:]),
+        "times": dicom_folder(slices + [dicom(series=b"1.3", number=20 + k, place=k) for k in range(4)])}
     yield "geometry", {"plain": geometry()}, {"far": geometry(shift=1e300), "fine": geometry(spacing=1e-300)}
     fan, sweep = [-0.3, 0, 0.3], [-0.2, 0.2]
     yield "volume_answer", {"whole": volume_answer(), "swept": volume_answer(swept(fan, sweep)),

@@ -10,6 +10,13 @@
 
 namespace sonoskin::test {
 
+// DicomText: an element whose value is a text, or the bytes of one.
+struct DicomText {
+  std::uint16_t group, element;
+  const char* type;
+  std::string value;
+};
+
 // DicomImage: one slice of a series, or a file of several frames, with what says how its numbers are meant.
 //   numbers  columns x rows x frames, in bits of `allocated`, as they lie in the file
 //   padding  PixelPaddingValue and PixelPaddingRangeLimit, in the same bits
@@ -20,14 +27,18 @@ struct DicomImage {
   std::vector<std::int32_t> numbers;
   std::optional<double> slope, intercept;
   std::optional<int> padding, paddingLimit;
-  double place = 0;  // along the slices' normal, mm
+  double place = 0;                     // along the slices' normal, mm
+  std::optional<std::string> position;  // instead; empty: none is told
+  std::string orientation = "1\\0\\0\\0\\1\\0";
+  std::string spacing = "0.5\\0.5";  // empty: not told
   int number = 1;
   std::string mediaStorage = "1.2.840.10008.5.1.4.1.1.2";  // CT image
   std::string modality = "CT";
   std::string photometric = "MONOCHROME2";
   std::string series = "1.2.3.4.5";
-  bool explicitTypes = true;    // else they stand in the standard alone
-  bool paddingIsSigned = true;  // the type of the padding's elements follows the pixels'; else always US
+  bool explicitTypes = true;      // else they stand in the standard alone
+  std::vector<DicomText> others;  // more elements
+  bool paddingIsSigned = true;    // the type of the padding's elements follows the pixels'; else always US
 };
 
 // DicomBytes: elements one after another, little endian [DICOM PS3.5, 7.1.2, 7.1.3].
@@ -79,18 +90,20 @@ inline std::string dicomFile(const DicomImage& i) {
   data.text(8, 0x60, "CS", i.modality);
   data.text(0x20, 0xd, "UI", i.series + ".1"), data.text(0x20, 0xe, "UI", i.series);
   data.text(0x20, 0x13, "IS", std::to_string(i.number));
-  data.text(0x20, 0x32, "DS", fmt::format("0\\0\\{}", i.place));
-  data.text(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0");
+  const std::string position = i.position.value_or(fmt::format("0\\0\\{}", i.place));
+  if (!position.empty()) data.text(0x20, 0x32, "DS", position);
+  if (!i.orientation.empty()) data.text(0x20, 0x37, "DS", i.orientation);
   data.number(0x28, 2, "US", 1), data.text(0x28, 4, "CS", i.photometric);
   if (i.frames > 1) data.text(0x28, 8, "IS", std::to_string(i.frames));
   data.number(0x28, 0x10, "US", i.rows), data.number(0x28, 0x11, "US", i.columns);
-  data.text(0x28, 0x30, "DS", "0.5\\0.5");
+  if (!i.spacing.empty()) data.text(0x28, 0x30, "DS", i.spacing);
   data.number(0x28, 0x100, "US", i.allocated), data.number(0x28, 0x101, "US", i.stored);
   data.number(0x28, 0x102, "US", i.stored - 1), data.number(0x28, 0x103, "US", i.isSigned);
   if (i.padding) data.number(0x28, 0x120, eitherSign, *i.padding);
   if (i.paddingLimit) data.number(0x28, 0x121, eitherSign, *i.paddingLimit);
   if (i.intercept) data.text(0x28, 0x1052, "DS", fmt::format("{}", *i.intercept));
   if (i.slope) data.text(0x28, 0x1053, "DS", fmt::format("{}", *i.slope));
+  for (const DicomText& other : i.others) data.element(other.group, other.element, other.type, other.value);
   data.element(0x7fe0, 0x10, i.allocated == 8 ? "OB" : "OW", pixelBytes(i));
   DicomBytes length;
   length.element(2, 0, "UL", {char(meta.bytes.size() & 255), char(meta.bytes.size() >> 8 & 255), '\0', '\0'});

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace sonoskin {
+
+// DicomSource: the bytes of a file, read where they are wanted; of a deflated one those that it unpacks to.
+class DicomSource {
+ public:
+  // file   the one that is read; named: the file or folder that a person gave, for sentences
+  DicomSource(const std::filesystem::path& file, const std::filesystem::path& named);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::uint64_t size() const { return size_; }
+  // read: bytes from `offset` on.
+  //   errors  Error: there are fewer
+  void read(std::uint64_t offset, std::uint64_t length, std::uint8_t* out);
+  std::vector<std::uint8_t> read(std::uint64_t offset, std::uint64_t length);
+  // inflate: unpacks all from `offset` on, which stays where it is [DICOM PS3.5, A.5].
+  //   errors  Error: it is damaged, or unpacks to more than 256 MB
+  void inflate(std::uint64_t offset);
+
+ private:
+  void fill(std::uint64_t offset);
+
+  std::filesystem::path path_;  // for sentences
+  std::ifstream file_;
+  std::uint64_t size_;
+  std::uint64_t windowAt_ = 0;  // where the window begins
+  std::vector<std::uint8_t> window_;
+  std::uint64_t inflatedAt_ = 0;
+  std::vector<std::uint8_t> inflated_;
+};
+
+}  // namespace sonoskin
