@@ -10,6 +10,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
 #include "core/io/raw_numbers.h"
+#include "core/io/toshiba_file.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -107,7 +108,8 @@ LoadedVolume readRawFile(const fs::path& path, const ReadOptions& options, const
 }
 
 bool needsRawOptions(const fs::path& path, const RawOptions& options) {
-  return !isTold(options) && formatNamed(FileKind::readVolume, path) == FileFormat::raw;
+  if (isTold(options) || formatNamed(FileKind::readVolume, path) != FileFormat::raw) return false;
+  return !isToshiba(path) && !hasMark(readBytes(path, 132));
 }
 
 std::vector<RawGuess> guessRaw(std::uintmax_t bytes) {

@@ -20,6 +20,7 @@ LoadedVolume readRawFile(const std::filesystem::path& path, const ReadOptions& o
                          const Progress& progress = {});
 
 // needsRawOptions: whether a file can be read only once it is told what is in it: a person must be asked before readScan.
+//   errors  as readBytes
 bool needsRawOptions(const std::filesystem::path& path, const RawOptions& options);
 
 // RawGuess: dimensions that a file of some size may have.

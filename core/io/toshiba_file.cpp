@@ -35,7 +35,8 @@ std::vector<fs::path> recordingIn(const fs::path& path) {
   if (stepOf(path)) return {path};
   std::vector<std::pair<int, fs::path>> found;
   const fs::path folder = folderOf(path);
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder))
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, none))
     if (const auto step = stepOf(entry.path())) found.emplace_back(*step, entry.path());
   std::sort(found.begin(), found.end());
   std::vector<fs::path> files;

@@ -13,6 +13,7 @@ constexpr int kMostSamples = 65535;
 constexpr double kMostVoxels = 2147483648.0;
 constexpr double kMostLength = 10'000;                   // mm
 constexpr double kMostAngle = 0.48 * glm::pi<double>();  // rad from the middle: short of where places fold
+constexpr double kLeastWidth = 1e-3;                     // of a fan or sweep, rad or mm
 constexpr double kLeastDistance = 1e-4;                  // mm from sample to sample
 
 bool isStrictlyMonotonic(const std::vector<double>& table) {
@@ -22,6 +23,8 @@ bool isStrictlyMonotonic(const std::vector<double>& table) {
   return std::adjacent_find(table.begin(), table.end(),
                             [&](double a, double b) { return rises ? !(a < b) : !(a > b); }) == table.end();
 }
+
+double widthOf(const std::vector<double>& table) { return std::abs(table.back() - table.front()); }
 
 double largest(const std::vector<double>& table) {  // in size; the ends of a monotonic table tell
   return std::max(std::abs(table.front()), std::abs(table.back()));
@@ -39,6 +42,7 @@ std::optional<std::string> sizeFault(const glm::ivec3& dims) {
 std::optional<std::string> faultOf(const SweptGrid& g) {
   if (!isStrictlyMonotonic(g.fan) || !isStrictlyMonotonic(g.sweep))
     return "the angles of its beams do not rise or fall from one to the next";
+  if (widthOf(g.fan) < kLeastWidth || widthOf(g.sweep) < kLeastWidth) return "its beams all run the same way";
   if (largest(g.sweep) > kMostAngle || (!g.parallel && largest(g.fan) > kMostAngle))
     return "the angles of its beams are wider than half a turn";
   if (!(g.sampleDistance >= kLeastDistance) || !std::isfinite(g.firstRadius) || !std::isfinite(g.axisDepth) ||
@@ -103,7 +107,8 @@ std::optional<glm::dvec3> indexOf(const PyramidGrid& g, const glm::dvec3& place)
 
 double PyramidGrid::elevationStep() const {
   const double plane = lastWidth() / dims.z;
-  return plane / std::max(1.0, std::round(plane / lateral));
+  constexpr double kMostBetween = 16;  // voxels between two pictures; more would show nothing more
+  return plane / std::clamp(std::round(plane / lateral), 1.0, kMostBetween);
 }
 
 glm::ivec3 gridDims(const SampleGrid& grid) {

@@ -14,6 +14,8 @@ struct Extent {
   glm::dvec3 low, high;
 };
 
+constexpr int kMostAlongAxis = 65535;
+
 double nearestToZero(const std::vector<double>& table) {
   const double low = std::min(table.front(), table.back()), high = std::max(table.front(), table.back());
   return std::clamp(0.0, low, high);
@@ -58,13 +60,14 @@ Geometry cubesIn(const Extent& box, double edge) {
   return g;
 }
 
-// The largest dimensions that an int and mostVoxels bear; a chosen edge grows until they do.
+// A chosen edge grows until there are no more voxels than mostVoxels, nor along an axis than a volume can have.
 Geometry cubesWithin(const Extent& box, double edge, double mostVoxels) {
-  const auto count = [&](double e) {
-    const glm::dvec3 n = (box.high - box.low) / e + 1.0;
-    return n.x * n.y * n.z;
+  const double most = std::max(mostVoxels, 1000.0);
+  const auto tooMany = [&](double e) {
+    const glm::dvec3 n = (box.high - box.low) / e + 2.0;
+    return n.x * n.y * n.z > most || glm::any(glm::greaterThan(n, glm::dvec3(kMostAlongAxis)));
   };
-  while (count(edge) > mostVoxels) edge *= 1.1;
+  while (tooMany(edge)) edge *= 1.1;
   return cubesIn(box, edge);
 }
 
@@ -91,7 +94,9 @@ Geometry voxelsOf(const SampleGrid& grid, double edge, double mostVoxels) {
     return cubesWithin(box, hundredths(edgeOf(*swept)), mostVoxels);
   const auto& pyramid = std::get<PyramidGrid>(grid);
   const Geometry own = ownVoxels(pyramid);
-  return double(own.voxels()) <= mostVoxels ? own : cubesWithin(box, pyramid.lateral, mostVoxels);
+  return double(own.voxels()) <= mostVoxels && own.dims.z <= kMostAlongAxis
+             ? own
+             : cubesWithin(box, pyramid.lateral, mostVoxels);
 }
 
 ConvertedScan convertScan(const SampleGrid& grid, const Volume<float>& samples, const Geometry& geometry,

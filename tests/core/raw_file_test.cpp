@@ -31,6 +31,7 @@ TEST(RawFile, AsksWhatIsInIt) {
   EXPECT_TRUE(needsRawOptions(file, {}));
   EXPECT_FALSE(needsRawOptions(file, told({64, 64, 64}).raw));
   EXPECT_FALSE(needsRawOptions("a.nrrd", {}));
+  EXPECT_FALSE(needsRawOptions(folder.write("b.raw", "NRRD0004\n"), {}));
   expectError([&] { readScan(file); }, "give raw.dims", Error::Kind::usage);
   expectError([&] { readScan(file); }, "64x64x64 of uint8", Error::Kind::usage);
 }

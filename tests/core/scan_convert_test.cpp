@@ -149,6 +149,9 @@ TEST(SampleGrid, RefusesWhatNoProbeCanBe) {
   g = smallTorus();
   g.sweep[2] = std::nan("");
   EXPECT_TRUE(gridFault(g));
+  g = smallTorus();
+  for (double& t : g.fan) t *= 1e-9;
+  EXPECT_TRUE(gridFault(g));
   PyramidGrid p = smallPyramid();
   EXPECT_FALSE(gridFault(p));
   p.growth = -0.5;
