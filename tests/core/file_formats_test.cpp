@@ -13,6 +13,7 @@
 #include "core/io/volume_writer.h"
 #include "tests/support/dicom.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/kretz.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_volumes.h"
@@ -38,6 +39,9 @@ std::string unpacked(const fs::path& path) {
   gzclose(file);
   return all;
 }
+
+bool isRaw(const std::string& ending) { return ending == ".raw" || ending == ".bin" || ending == ".img"; }
+bool isKretz(const std::string& ending) { return ending == ".vol" || ending == ".v00" || ending == ".4dv"; }
 
 // A file of the volume above under an ending that is read, whether or not it is written.
 fs::path volumeFile(const TempFolder& folder, const std::string& ending) {
@@ -71,6 +75,26 @@ fs::path volumeFile(const TempFolder& folder, const std::string& ending) {
     }
     return path;
   }
+  const std::string numbers(volume.data.begin(), volume.data.end());
+  if (ending == ".dat")
+    return folder.write("scan.dat",
+                        "ObjectFileName: scan.raw\nResolution: 4 3 2\nSliceThickness: 0.5 0.5 2\n"
+                        "Format: UCHAR\n");
+  if (ending == ".vvd")
+    return folder.write(
+        "scan.vvd",
+        "<VoreenData><Volumes><Volume><RawData filename=\"scan.raw\" format=\"uint8\" x=\"4\" "
+        "y=\"3\" z=\"2\"/><MetaData><MetaItem name=\"Spacing\" type=\"Vec3MetaData\">"
+        "<value x=\"0.5\" y=\"0.5\" z=\"2\"/></MetaItem></MetaData></Volume></Volumes>"
+        "</VoreenData>");
+  if (isRaw(ending)) return folder.write("scan" + ending, numbers);
+  if (isKretz(ending))
+    return folder.write("scan" + ending, test::KretzWriter()
+                                             .dims(4, 3, 2)
+                                             .values(0xC100, 1, {0.0005})
+                                             .record(0xD000, 1, numbers)
+                                             .end()
+                                             .bytes());
   ADD_FAILURE() << "no file is known for " << ending;
   return path;
 }
@@ -79,9 +103,13 @@ TEST(FileFormats, EveryVolumeThatIsOfferedIsRead) {
   for (const std::string& ending : extensionsOf(FileKind::readVolume)) {
     SCOPED_TRACE(ending);
     const TempFolder folder;
-    const Scan scan = readScan(volumeFile(folder, ending));
+    ReadOptions options;
+    if (isRaw(ending)) options.raw.dims = {4, 3, 2};
+    if (isRaw(ending)) options.raw.spacing = {0.5, 0.5, 2};
+    const Scan scan = readScan(volumeFile(folder, ending), options);
     ASSERT_EQ(scan.volume->geometry.dims, glm::ivec3(4, 3, 2));
-    EXPECT_EQ(scan.volume->geometry.spacing, glm::dvec3(0.5, 0.5, 2));
+    // Kretz files have one spacing for all axes.
+    EXPECT_EQ(scan.volume->geometry.spacing, glm::dvec3(0.5, 0.5, isKretz(ending) ? 0.5 : 2));
     for (std::size_t v = 0; v < 24; ++v) EXPECT_NEAR(scan.volume->data[v], float(10 * v + 5) / 255, 1e-6);
   }
 }
