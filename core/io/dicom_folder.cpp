@@ -17,6 +17,8 @@ void checkCount(std::size_t files, const fs::path& path) {
           kMostFiles);
 }
 
+bool isDirectoryFile(const fs::path& file) { return lowerCase(file.filename().string()) == "dicomdir"; }
+
 bool isReadable(const fs::path& file) try { return isDicom(file); } catch (const Error&) {
   return false;
 }
@@ -26,7 +28,7 @@ Paths filesIn(const fs::path& folder, const fs::path& path) {
   Paths files;
   std::error_code code, ignored;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
-    if (!entry->is_regular_file(ignored) || isDicomDirectory(entry->path())) continue;
+    if (!entry->is_regular_file(ignored) || isDirectoryFile(entry->path())) continue;
     files.push_back(entry->path());
     checkCount(files.size(), path);
   }
@@ -121,13 +123,19 @@ void append(DicomFiles& files, DicomFiles more) {
 
 }  // namespace
 
-bool isDicomDirectory(const fs::path& path) { return lowerCase(path.filename().string()) == "dicomdir"; }
+fs::path dicomDirectory(const fs::path& path) {
+  std::error_code code;
+  if (!fs::is_directory(path, code)) return isDirectoryFile(path) ? path : fs::path();
+  for (const fs::path& file : {path / "DICOMDIR", path / "dicomdir"})
+    if (fs::is_regular_file(file, code)) return file;
+  return {};
+}
 
 DicomFiles dicomFiles(const fs::path& path, const Progress& progress) {
-  const bool isFolder = fs::is_directory(path), isList = !isFolder && isDicomDirectory(path);
+  const fs::path list = dicomDirectory(path);
   DicomCollector collector(path);
   DicomFiles files;
-  if (!isFolder && !isList) {
+  if (list.empty() && !fs::is_directory(path)) {
     collector.add(path);
     const auto series = collector.lastSlice();
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -138,13 +146,13 @@ DicomFiles dicomFiles(const fs::path& path, const Progress& progress) {
     }
     append(files, collector.finish());
     keepChosen(files);
+    require(
+        !files.volumes.empty(),
+        "{} does not say where it lies among the slices of its series (Image Position); choose another one.",
+        path.string());
     return files;
   }
-  std::error_code code;
-  fs::path list = isList ? path : path / "DICOMDIR";
-  if (!fs::is_regular_file(list, code)) list = path / "dicomdir";
-  const Paths names =
-      fs::is_regular_file(list, code) ? filesOfDirectory(list, path, files) : filesIn(path, path);
+  const Paths names = list.empty() ? filesIn(path, path) : filesOfDirectory(list, path, files);
   const auto first = addAll(collector, names, {}, files, progress);
   append(files, collector.finish());
   if (files.volumes.empty() && first) throw *first;

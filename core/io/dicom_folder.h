@@ -12,7 +12,8 @@ namespace sonoskin {
 // Files of a folder that are damaged are left out with a warning of how many there are: their names may be a patient's.
 DicomFiles dicomFiles(const std::filesystem::path& path, const Progress& progress);
 
-// isDicomDirectory: whether a file is a list of others, by the name that the standard gives it [DICOM PS3.10, 8.6].
-bool isDicomDirectory(const std::filesystem::path& path);
+// dicomDirectory: the list of files that was chosen itself or lies in the folder that was; empty where there is none. It is
+// known by the name that the standard gives it [DICOM PS3.10, 8.6].
+std::filesystem::path dicomDirectory(const std::filesystem::path& path);
 
 }  // namespace sonoskin

@@ -61,7 +61,8 @@ DicomFrame common(const DicomItem& root, const DicomPixels& p, const DicomSpacin
   setMark(frame, DicomMark::temporal, root.number(tag::kTemporal));
   setMark(frame, DicomMark::acquisition, root.number(tag::kAcquisition));
   setMark(frame, DicomMark::trigger, root.number(tag::kTriggerTime));
-  setMark(frame, DicomMark::time, firstOf(root, {tag::kAcquisitionTime, tag::kContentTime}));
+  setMark(frame, DicomMark::time, root.number(tag::kAcquisitionTime));
+  setMark(frame, DicomMark::content, root.number(tag::kContentTime));
   const std::string group =
       fmt::format("{} {} {} {} {} {} {} {} {:.5g} {:.5g}", root.text(tag::kSeries), p.columns, p.rows,
                   p.samples, p.allocated, p.isSigned, int(p.colour), p.isFloat, spacing.mm.x, spacing.mm.y);

@@ -15,8 +15,8 @@ namespace sonoskin {
 
 // DicomMark: what may tell frames at the same place apart. The first three are of different pictures, the others of the
 // same one at another time.
-enum class DicomMark { kind, echo, diffusion, temporal, acquisition, trigger, time };
-inline constexpr std::size_t kDicomMarks = 7;
+enum class DicomMark { kind, echo, diffusion, temporal, acquisition, trigger, time, content };
+inline constexpr std::size_t kDicomMarks = 8;
 
 // DicomFrame: a picture in a file, and where it lies.
 //   file, index  of the files at hand, of the file's frames

@@ -18,7 +18,10 @@ DicomVolume inOrder(const DicomPixels& p, int slices, const glm::dvec3& spacing,
   volume.geometry.spacing = spacing;
   volume.timeSteps = p.frames / slices;
   volume.frames.resize(std::size_t(p.frames));
-  for (int f = 0; f < p.frames; ++f) volume.frames[std::size_t(f)].index = f;
+  for (int f = 0; f < p.frames; ++f) {
+    DicomFrame& frame = volume.frames[std::size_t(f)];
+    frame.index = f, frame.size = {p.columns, p.rows};
+  }
   return volume;
 }
 
@@ -38,7 +41,7 @@ DicomVolume qlabVolume(const DicomItem& root, DicomPixels& p, const fs::path& pa
   const int slices = root.whole(tag::kPhilipsSlices).value_or(0), steps = p.frames;
   const glm::dvec3 told(root.number(tag::kDeltaX).value_or(0), root.number(tag::kDeltaY).value_or(0),
                         root.number(tag::kPhilipsDeltaZ).value_or(0));
-  require(slices >= 2 && slices <= 65535 && std::int64_t(slices) * steps <= 1 << 20 && p.samples == 1,
+  require(slices >= 2 && slices <= 65535 && std::int64_t(slices) * steps <= 100'000 && p.samples == 1,
           "{} is a Philips volume that does not tell its slices; export it from QLAB again.", path.string());
   const bool isKnown = root.whole(tag::kUnitsX) == kCentimetres && root.whole(tag::kUnitsY) == kCentimetres &&
                        root.whole(tag::kPhilipsUnitsZ).value_or(kCentimetres) == kCentimetres &&

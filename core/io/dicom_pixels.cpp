@@ -144,7 +144,7 @@ DicomPixels pixelsOf(const DicomDataSet& set, DicomSource& source) {
   require(root.find(tag::kPixels) || root.find(tag::kFloatPixels) || root.find(tag::kDoublePixels),
           "{} holds no pixels; choose a file with pictures.", path.string());
   p.columns = take(tag::kColumns, 0), p.rows = take(tag::kRows, 0), p.frames = take(tag::kFrames, 1);
-  constexpr int kMostFrames = 1 << 20;
+  constexpr int kMostFrames = 100'000;
   require(p.columns >= 1 && p.columns <= 65535 && p.rows >= 1 && p.rows <= 65535 && p.frames >= 1 &&
               p.frames <= kMostFrames,
           "{} says that it has {} frames of {} x {} pixels; get a fresh copy.", path.string(), p.frames,
@@ -155,6 +155,8 @@ DicomPixels pixelsOf(const DicomDataSet& set, DicomSource& source) {
   p.isSigned = take(tag::kSigned, 0) == 1, p.isPlanar = take(tag::kPlanar, 0) == 1;
   p.syntax = set.syntax, p.bigEndian = set.bigEndian;
   p.colour = colourOf(root.text(tag::kPhotometric), p.samples, path);
+  require(p.colour != DicomColour::ybr422 || p.columns % 2 == 0,
+          "{} has a header that contradicts itself; get a fresh copy.", path.string());
   if (!root.find(tag::kFloatPixels) && !root.find(tag::kDoublePixels)) checkBits(p, path);
   if (p.colour == DicomColour::palette) p.palette = paletteOf(root, path);
   locate(p, set, source);

@@ -63,7 +63,6 @@ const DicomVolume& chosen(const DicomFiles& files, const ReadOptions& options, c
 }
 
 void say(const DicomFiles& files, const DicomVolume& volume, bool regionOnly) {
-  for (const std::string& warning : files.warnings) log(LogLevel::warning, warning);
   for (const std::string& warning : volume.warnings) log(LogLevel::warning, warning);
   if (volume.shift != glm::dvec2(0))
     log(LogLevel::warning,
@@ -98,6 +97,7 @@ std::vector<VolumeEntry> dicomVolumes(const fs::path& path, const Progress& prog
 LoadedVolume readDicomSeries(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   progress.update(0);
   const DicomFiles files = dicomFiles(path, progress.part(0, 0.3));
+  for (const std::string& warning : files.warnings) log(LogLevel::warning, warning);
   const bool isAlone = files.volumes.size() == 1;
   if (isAlone && isKretz(files, files.volumes.front()))  // which may hold several itself
     return readKretz(files, files.volumes.front(), options, path);

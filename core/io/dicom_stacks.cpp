@@ -157,7 +157,9 @@ class Stacker {
       }
     for (const DicomMark mark : {DicomMark::temporal, DicomMark::acquisition, DicomMark::trigger})
       if (tellsApart(places, mark) && addSteps(byMark(frames, mark), mark, volumes)) return;
-    if (!addByTime(places, volumes)) volumes.push_back(refused(frames, doubled(places)));
+    for (const DicomMark mark : {DicomMark::time, DicomMark::content})
+      if (addByTime(places, mark, volumes)) return;
+    volumes.push_back(refused(frames, doubled(places)));
   }
 
   DicomVolume stacked(const std::vector<DicomPlace>& places) const {
@@ -204,9 +206,9 @@ class Stacker {
   }
 
   // The n-th of each place in time is of the n-th step.
-  bool addByTime(std::vector<DicomPlace> places, std::vector<DicomVolume>& volumes) const {
+  bool addByTime(std::vector<DicomPlace> places, DicomMark mark, std::vector<DicomVolume>& volumes) const {
     const std::size_t steps = places.front().frames.size();
-    const auto time = [](const DicomFrame* f) { return f->mark(DicomMark::time); };
+    const auto time = [&](const DicomFrame* f) { return f->mark(mark); };
     for (DicomPlace& place : places) {
       std::ranges::stable_sort(place.frames, {}, time);
       const bool differ = place.frames.size() == steps && !std::isnan(time(place.frames.front())) &&
@@ -216,7 +218,7 @@ class Stacker {
     std::vector<Frames> parts(steps);
     for (std::size_t s = 0; s < steps; ++s)
       for (const DicomPlace& place : places) parts[s].push_back(*place.frames[s]);
-    return addSteps(parts, DicomMark::time, volumes);
+    return addSteps(parts, mark, volumes);
   }
 
   Error doubled(const std::vector<DicomPlace>& places) const {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "core/io/dicom_folder.h"
 #include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
@@ -32,20 +33,29 @@ Pages pages() {
   return p;
 }
 
+template <class Iterator>
+std::uintmax_t bytesIn(const fs::path& folder) {
+  constexpr int kMostFiles = 50'000;
+  std::uintmax_t bytes = 0;
+  std::error_code code, ignored;
+  int files = 0;
+  for (Iterator entry(folder, code), end; !code && entry != end && files < kMostFiles;
+       entry.increment(code), ++files)
+    if (entry->is_regular_file(ignored)) bytes += entry->file_size(ignored);
+  return bytes;
+}
+
 // Bytes of what a reader of this path may look at: the file, or all files of the folder where a header or a series names
-// others.
+// others, and of the folders in it where a DICOMDIR does.
 std::uintmax_t bytesOf(const fs::path& path) {
   const std::string extension = lowerExtension(path);
   const bool isFolder = fs::is_directory(path);
   constexpr std::string_view headers[] = {".mhd", ".nhdr", ".dat", ".vvd", ".txt"};
   if (!isFolder && std::ranges::find(headers, extension) == std::end(headers) && !isDicom(path))
     return fileSize(path);
-  std::uintmax_t bytes = 0;
-  std::error_code code;
   const fs::path folder = isFolder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
-  for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(code)) bytes += entry.file_size(code);
-  return bytes;
+  if (!dicomDirectory(path).empty()) return bytesIn<fs::recursive_directory_iterator>(folder);
+  return bytesIn<fs::directory_iterator>(folder);
 }
 
 }  // namespace

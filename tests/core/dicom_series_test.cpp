@@ -184,6 +184,14 @@ TEST(DicomSeries, WithoutPlacesSaysSo) {
   EXPECT_TRUE(warned(record, "2 of the series' 9 slices are left out"));
 }
 
+TEST(DicomSeries, AFileWithoutAPlaceIsNoPartOfItsSeries) {
+  const Folder folder;
+  folder.series(9, [](DicomImage& image, int k) {
+    if (k == 3) image.position = "";
+  });
+  expectError([&] { readScan(folder / "s03.dcm"); }, "does not say where it lies");
+}
+
 TEST(DicomSeries, WithSlicesTwiceSaysSo) {
   const Folder folder;
   folder.series(6, asIs);
@@ -214,12 +222,13 @@ TEST(DicomSeries, TimesAreSteps) {
                         {"acquisition", 0x20, 0x12, "IS", "4", "5"},
                         {"trigger", 0x18, 0x1060, "DS", "0", "250.5"},
                         {"acquired", 8, 0x32, "TM", "120000.5", "120003"},
-                        {"content", 8, 0x33, "TM", "120000", "120003"}}) {
+                        {"content", 8, 0x33, "TM", "120000", "120003"}}) {  // of one acquisition
     SCOPED_TRACE(s.name);
     const Folder folder;
     const auto at = [&](const char* value, int shift) {
       return [=, &s](DicomImage& image, int) {
         image.others.push_back({s.group, s.element, s.type, value});
+        if (s.element == 0x33) image.others.push_back({8, 0x32, "TM", "115959"});
         image.number += 10 * shift;
         for (std::int32_t& n : image.numbers) n += 500 * shift;
       };
