@@ -16,8 +16,12 @@ namespace sonoskin {
 std::vector<std::uint8_t> unpackFrame(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed,
                                       const std::filesystem::path& path);
 
+// streamFits: whether a packed frame is of the size and number of colours that the file tells, as far as it tells itself: GDCM
+// takes that for granted, and reads or writes beyond the end where it is not so.
+bool streamFits(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed);
+
 // streamColour: what the samples of a packed frame are: a JPEG stream says more than the file around it, which calls YCbCr
-// RGB often enough. In this order: a JFIF mark is of YCbCr [JFIF 1.02, p. 2]; Adobe's mark tells [ITU-T T.872, 6.5.3];
+// RGB often enough. In this order: a JFIF mark is of YCbCr [JFIF 1.02, p. 2], but for lossless ones; Adobe's mark tells [ITU-T T.872, 6.5.3];
 // components named R, G and B; colour in a lower resolution, which only YCbCr has; else the file.
 DicomColour streamColour(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed);
 

@@ -142,6 +142,8 @@ Values pixelValues(DicomSource& source, const DicomPixels& p, int frame) {
   DicomColour colour = p.colour;
   if (p.isPacked()) {
     const auto packed = packedFrame(source, p, frame);
+    require(streamFits(p, packed), "{} has packed pixels of another size than it says; get a fresh copy.",
+            source.path().string());
     colour = streamColour(p, packed);
     bytes = unpackFrame(p, packed, source.path());
   } else {

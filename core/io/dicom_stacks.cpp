@@ -116,10 +116,13 @@ class Stacker {
                     slices, path_.string()));
   }
   Error turning(const std::vector<Frames>& parts) const {
+    double least = 360;
+    for (std::size_t part = 1; part < parts.size(); ++part)
+      least = std::min(least, degreesBetween(parts[0].front(), parts[part].front()));
     return Error(
         fmt::format("The slices of the series in {} turn against each other, by {:.1f} degrees from one to "
                     "the next, and make no straight volume; export it as a volume that is resampled.",
-                    path_.string(), degreesBetween(parts[0].front(), parts[1].front())));
+                    path_.string(), least));
   }
 
   static bool isUnique(const std::vector<DicomPlace>& places) {

@@ -63,6 +63,15 @@ TEST(DicomFiles, EnhancedUltrasoundIsSortedInSpaceAndTime) {
   EXPECT_EQ(readScan(file("enhanced_us")).modality, "US");
 }
 
+TEST(DicomFiles, AnIndexTellsTimeWhereNothingElseDoes) {
+  for (int t = 0; t < 2; ++t) {
+    const LoadedVolume v = loadVolume(file("enhanced_us_index"), {0, t + 1});
+    expectPlace(v, {6, 4, 5}, {0.2, 0.3, 0.9}, {1, 2, -3});
+    EXPECT_EQ(v.stored.timeSteps, 2);
+    expectVoxels(v, t);
+  }
+}
+
 TEST(DicomFiles, TissueIsReadWhereFlowLiesBesideIt) {
   const LogRecord record;
   expectVoxels(loadVolume(file("enhanced_us_flow")), 0);
@@ -180,6 +189,11 @@ TEST(DicomFiles, JpegOfTwelveBitsIsAsItsOwnDecoderHasIt) {
 TEST(DicomFiles, JpegSaysItsColoursItself) {
   expectSmooth("jpeg_called_rgb", 255, 4);
   expectSmooth("jpeg_bare_420", 255, 4);
+}
+
+// What GDCM would read beyond its end.
+TEST(DicomFiles, PackedPixelsAreAsLargeAsTheFileSays) {
+  expectError([] { readScan(file("jpeg_other_size")); }, "packed pixels of another size");
 }
 
 TEST(DicomFiles, ADirectoryListsTheVolumesOfItsFiles) {

@@ -113,6 +113,30 @@ def enhanced_us(order, kinds=("TISSUE_INTENSITY",)):
     return ds
 
 
+def enhanced_us_index():
+    """Time is told by the index of a dimension alone, in a syntax without types."""
+    order = [(k, t) for t in range(2) for k in (3, 0, 4, 2, 1)][::-1]
+    ds = data_set(ENHANCED_US, np.stack([volume(6, 4, 5, t)[k] for k, t in order]), ImplicitVRLittleEndian)
+    dimensions = [Dataset(), Dataset()]
+    for dimension, pointer in zip(dimensions, (0x0020930D, 0x00209301)):
+        dimension.add_new(0x00209165, "AT", pointer)
+    ds.DimensionIndexSequence = Sequence(dimensions)
+    orientation = Dataset()
+    orientation.add_new(0x00209302, "FD", [1.0, 0, 0, 0, 1, 0])
+    shared = item(PixelMeasuresSequence=sequence(PixelSpacing=[0.3, 0.2]))
+    shared.add_new(0x0020930F, "SQ", Sequence([orientation]))
+    ds.SharedFunctionalGroupsSequence = Sequence([shared])
+    frames = []
+    for k, t in order:
+        position = Dataset()
+        position.add_new(0x00209301, "FD", [1.0, 2.0, 0.9 * k - 3])
+        frame = item(FrameContentSequence=sequence(DimensionIndexValues=[t + 1, k + 1]))
+        frame.add_new(0x0020930E, "SQ", Sequence([position]))
+        frames.append(frame)
+    ds.PerFrameFunctionalGroupsSequence = Sequence(frames)
+    return ds
+
+
 def enhanced_ct():
     """Each frame with a scale of its own, in a syntax without types."""
     frames = volume(5, 4, 3).astype(np.uint16) * 4
@@ -317,6 +341,11 @@ def file_set(folder):
         files.write(str(folder))
 
 
+def save(folder, named):
+    for name, ds in named.items():
+        ds.save_as(folder / f"{name}.dcm", write_like_original=False)
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -332,10 +361,12 @@ def main():
         "us_film": us_sweep(PixelSpacing=[0.3, 0.2]),
         "qlab": qlab(), "affinity": affinity(), "iu22": iu22(), "eigen": eigen(), "movie_group": movie_group(),
         "philips_native": philips_native(), "encapsulated_stl": encapsulated_stl(), **dict(coats())}
-    for name, ds in named.items():
-        ds.save_as(folder / f"{name}.dcm", write_like_original=False)
+    save(folder, named)
     recoded(folder)
     file_set(folder / "file_set")
+    large = [jpeg(np.concatenate([p, p])) for p in smooth()]
+    save(folder, {"enhanced_us_index": enhanced_us_index(),
+                  "jpeg_other_size": packed(smooth(), JPEGBaseline8Bit, large, "MONOCHROME2")})
 
 
 if __name__ == "__main__":
