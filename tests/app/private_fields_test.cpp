@@ -176,9 +176,12 @@ TEST_F(PrivateFields, OfKretz) {
     const std::string file = folder.write("a.vol", namedKretz(asSamples)).string();
     EXPECT_EQ(sayNothing({"info", file, "--json"}, "Kretz"), 0);
     EXPECT_EQ(sayNothing({"info", file}, "Kretz"), 0);
-    EXPECT_EQ(sayNothing({"info", folder.write("b.vol", namedKretz(asSamples).substr(0, 900)).string()},
-                         "cut Kretz"),
-              3);
+    EXPECT_EQ(
+        sayNothing({"info",
+                    folder.write("b.vol", namedKretz(asSamples).substr(0, namedKretz(asSamples).size() - 100))
+                        .string()},
+                   "cut Kretz"),
+        3);
   }
 }
 

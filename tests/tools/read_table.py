@@ -148,8 +148,16 @@ def kretz(path, data=None):
     if (0xC300, 1) not in records and (0x0010, 0x22) in records:
         edge = struct.unpack("<d", records[(0x0010, 0x22)])[0]
         return facts([i, j, k], np.eye(3) * edge, [0, 0, 0], 1, steps, True, "probe")
-    made = facts([i, j, k], np.eye(3), [0, 0, 0], 1, steps, True, "probe, toroidal")
-    return {"steps": made["steps"], "frame": f"probe; {i} x {j} x {k} samples in a fan: the program's grid is its own"}
+    return {"samples": [i, j, k], "steps": steps, "frame": "probe"}  # of a fan: voxels are the program's own choice
+
+
+def toshiba(path):
+    """The grid of a RawDataExport, by the text beside it."""
+    text = (path.parent / "PatientInfo.txt").read_text(encoding="latin-1")
+    samples = [int(re.search(rf"^{word} = (\d+)", text, re.M)[1]) for word in ("Range", "Azimuth", "Elevation")]
+    if path.stat().st_size != np.prod(samples):
+        raise ValueError("another number of bytes than of samples")
+    return {"samples": samples, "frame": "probe"}
 
 
 def dicom(path):
@@ -290,7 +298,7 @@ def three_mf(path):
 
 
 READERS = {".nrrd": nrrd, ".nhdr": nrrd, ".mha": meta, ".mhd": meta, ".nii": nifti, ".gz": nifti, ".vtk": vtk, ".vol": kretz,
-           ".dcm": dicom, ".stl": stl, ".ply": ply, ".obj": obj, ".glb": glb, ".3mf": three_mf}
+           ".bin": toshiba, ".dcm": dicom, ".stl": stl, ".ply": ply, ".obj": obj, ".glb": glb, ".3mf": three_mf}
 OTHERS = {".md", ".py", ".sh", ".mtl", ".jpg", ".txt", ".raw", ".json", ".inf"}
 
 
@@ -310,8 +318,11 @@ def said(program, path):
 def ours_of(j):
     if "triangles" in j:
         return {"triangles": j["triangles"], "size": j.get("size_mm") or j.get("extent_mm")}
-    return {"dims": j["dims"], "spacing": j["spacing_mm"], "origin": j["origin_mm"], "axes": j["direction"],
-            "steps": j["time_steps"], "known": j["spacing_known"], "frame": j.get("frame", "LPS"), "unit": j.get("unit", "mm")}
+    if "volumes" in j:
+        return {"frame": f"{len(j['volumes'])} volumes to choose from"}
+    return {"samples": j.get("converted_from", {}).get("samples"), "dims": j["dims"], "spacing": j["spacing_mm"],
+            "origin": j["origin_mm"], "axes": j["direction"], "steps": j["time_steps"],
+            "known": j["spacing_known"], "frame": "LPS", "unit": "mm"}
 
 
 def shown(value):
@@ -328,7 +339,7 @@ def differs(a, b):
     return x.shape != y.shape or not np.allclose(x, y, rtol=1e-4, atol=1e-4)
 
 
-COLUMNS = ("dims", "spacing", "origin", "axes", "frame", "unit", "steps", "triangles", "size")
+COLUMNS = ("samples", "dims", "spacing", "origin", "axes", "frame", "unit", "steps", "triangles", "size")
 
 
 def line(program, path, name):
