@@ -7,7 +7,7 @@ packages=(
   # compiler and build
   g++ cmake ninja-build python3 python3-glad
   # data: ITK brings its own dependencies; the others are small or headers only
-  libinsighttoolkit5-dev libassimp-dev libxxhash-dev libqhull-dev libstb-dev zlib1g-dev libdeflate-dev
+  libinsighttoolkit5-dev libassimp-dev libxxhash-dev libqhull-dev libstb-dev zlib1g-dev libbz2-dev libdeflate-dev
   libmeshoptimizer-dev libexpat1-dev libminizip-dev libdraco-dev
   libeigen3-dev libnanoflann-dev libglm-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # pictures and window: GLVND's headers, Mesa's software rasteriser, OSMesa (loaded when asked for)

@@ -47,7 +47,7 @@ const std::vector<Row>& rows() {
        {".mha", ".mhd"},
        {".mha"},
        "place, spacing, direction, the probe's beams"},
-      {F::nifti, Holds::volume, "NIfTI", {".nii", ".nii.gz"}, {".nii.gz"}, "place, spacing, direction"},
+      {F::nifti, Holds::volume, "NIfTI", {".nii", ".nii.gz", ".hdr"}, {".nii.gz"}, "place, spacing, direction"},
       {F::vtk,
        Holds::volume,
        "VTK",

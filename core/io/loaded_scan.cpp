@@ -54,6 +54,12 @@ void convert(const SampleGrid& grid, Volume<float> samples, double edge, Scan& s
   noteConversion(grid, voxels);
 }
 
+void takeMask(std::vector<std::uint8_t> recorded, Scan& scan) {
+  auto mask = Volume<std::uint8_t>::unset(scan.volume->geometry);
+  std::copy(recorded.begin(), recorded.end(), mask.data.begin());
+  scan.mask = std::make_shared<const Volume<std::uint8_t>>(std::move(mask));
+}
+
 }  // namespace
 
 LoadedScan scanOf(LoadedVolume loaded, const ReadOptions& options, bool isScan, const Progress& progress) {
@@ -80,6 +86,7 @@ LoadedScan scanOf(LoadedVolume loaded, const ReadOptions& options, bool isScan, 
     convert(*stored.grid, std::move(normalised.volume), options.voxel, scan, progress.part(0.3, 1));
   else
     scan.volume = std::make_shared<const Volume<float>>(std::move(normalised.volume));
+  if (!loaded.mask.empty()) takeMask(std::move(loaded.mask), scan);
   scan.key = scanKey(*scan.volume, scan.beam);
   if (scan.mask) scan.key = maskedKey(scan.key, *scan.mask);
   return result;

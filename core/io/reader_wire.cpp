@@ -83,7 +83,7 @@ void walkVolume(F& f, V& v) {
   auto& g = s.geometry;
   f(s.format), f(g.dims), f(g.spacing), f(g.origin), f(g.direction);
   f(s.spacingKnown), f(s.type), f(s.components), f(s.timeSteps), f(s.stepSeconds), f(s.modality);
-  f(s.padding), f(v.bytes), f(v.numbers);
+  f(s.padding), f(v.bytes), f(v.numbers), f(v.mask);
 }
 
 template <class F, class M>
@@ -150,6 +150,7 @@ bool isSound(const LoadedVolume& v) {
   if (s.beam &&
       !(isFinite(s.beam->axis) && isFinite(s.beam->up) && isFinite(s.beam->apex.value_or(glm::dvec3(0)))))
     return false;
+  if (!v.mask.empty() && (s.grid || v.mask.size() != s.geometry.voxels())) return false;
   if (s.grid && (gridFault(*s.grid) || gridDims(*s.grid) != s.geometry.dims)) return false;
   const double expected =
       double(s.geometry.voxels()) * double(s.components) * double(numberTypeBytes(s.type));

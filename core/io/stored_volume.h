@@ -38,6 +38,7 @@ struct LoadedVolume {
   StoredVolume stored;
   std::vector<std::uint8_t> numbers;  // of the time step that was asked for
   std::uintmax_t bytes = 0;           // of the file or files
+  std::vector<std::uint8_t> mask{};   // not zero where voxels were recorded; empty: not told
 };
 
 // checkGeometry: refuses what cannot be a volume of three dimensions, and makes the direction exactly orthonormal.

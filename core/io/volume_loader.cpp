@@ -4,7 +4,7 @@
 #include "core/io/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
-#include "core/io/itk_files.h"
+#include "core/io/headers/declared_volume.h"
 #include "core/io/kretz_file.h"
 #include "core/io/raw_file.h"
 #include "core/io/toshiba_file.h"
@@ -30,19 +30,6 @@ LoadedVolume readVoreen(const fs::path& path, const ReadOptions& options, const 
                                         : readVoreenDat(path, options, progress);
 }
 
-DeclaredData declaredData(FileFormat format, const fs::path& path) {
-  switch (format) {
-    case FileFormat::nrrd:
-      return nrrdData(path);
-    case FileFormat::meta:
-      return metaData(path);
-    case FileFormat::nifti:
-      return niftiData(path);
-    default:
-      return vtkData(path);
-  }
-}
-
 }  // namespace
 
 LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const Progress& progress) {
@@ -58,9 +45,7 @@ LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const 
   if (format == FileFormat::raw) return readRawFile(path, options, progress);
   require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
           options.volume);
-  const DeclaredData data = declaredData(format, path);
-  std::vector<std::uint8_t> unpacked = checkData(data, path);
-  return readWithItk(format, path, data, std::move(unpacked), options.time, progress);
+  return readDeclared(format, path, options.time, progress);
 }
 
 std::vector<VolumeEntry> volumesIn(const fs::path& path, const Progress& progress) {

@@ -65,6 +65,15 @@ fs::path volumeFile(const TempFolder& folder, const std::string& ending) {
     writeVolume(folder / "scan.nii.gz", volume);
     return folder.write("scan.nii", unpacked(folder / "scan.nii.gz"));
   }
+  if (ending == ".hdr") {
+    writeVolume(folder / "scan.nii.gz", volume);
+    const std::string whole = unpacked(folder / "scan.nii.gz");
+    folder.write("scan.img", whole.substr(352));
+    std::string header = whole.substr(0, 348);
+    header.replace(108, 4, 4, '\0');  // where the voxels begin
+    header.replace(344, 3, "ni1");
+    return folder.write("scan.hdr", header);
+  }
   if (ending == ".dcm") {
     for (int s = 0; s < 2; ++s) {
       test::DicomImage slice;

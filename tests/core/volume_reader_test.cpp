@@ -189,10 +189,12 @@ TEST(ReadScan, RefusesWhatIsNoVolume) {
   expectError([&] { readScan(folder.path()); }, "no DICOM series");
   expectError([&] { readScan(folder.write("a.nrrd", "")); }, "empty");
   expectError([&] { readScan(folder.write("a.txt", "hello")); }, "format");
-  expectError([&] { readScan(folder.write("a.nrrd", "NRRD0004\ndimension: 16\nsizes: 1 1 1 1\n\n")); },
-              "16 dimensions");
-  expectError([&] { readScan(folder.write("a.nrrd", "NRRD0004\ndimension: 2\nsizes: 4 4\n\n")); },
-              "2 dimensions");
+  expectError(
+      [&] { readScan(folder.write("a.nrrd", "NRRD0004\ntype: uint8\ndimension: 16\nsizes: 1 1 1 1\n\n")); },
+      "16 dimensions");
+  expectError(
+      [&] { readScan(folder.write("a.nrrd", "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 4 4\n\n")); },
+      "2 dimensions");
   expectError([&] { readScan(folder.write("b.mha", mha("4 4 1", "", k24))); }, "flat picture");
   expectError([&] { readScan(folder.write("b.mha", mha("4 4 -3", "", k24))); }, "-3 voxels");
   expectError([&] { readScan(folder.write("b.mha", mha("2 3", "", k24))); }, "DimSize");
@@ -224,25 +226,25 @@ TEST(ReadScan, RefusesGeometryThatMakesNoSense) {
 }
 
 // Each of these makes the parsers of ITK 5.2 write beyond their arrays, or read what the header does not say.
-TEST(ReadScan, KeepsFromItkWhatItCannotBear) {
+TEST(ReadScan, BearsWhatItkCannot) {
   const TempFolder folder;
   const auto meta = [&](const std::string& more) {
     return [&folder, more] { readScan(folder.write("a.mha", mha("2 3 4", more, k24))); };
   };
-  expectError(meta("Comment = " + std::string(5000, 'x') + "\n"), "too long");
+  EXPECT_NO_THROW(meta("Comment = " + std::string(5000, 'x') + "\n")());
   expectError(meta("AnatomicalOrientation = RAIRAIRAIRAI\n"), "one letter per axis");
   expectError(meta("NDims = 10\n"), "there twice");
-  expectError(meta("NDims : 10 = 10\n"), "not known here");
+  expectError(meta("NDims : 10 = 10\n"), "different ways");
   expectError(meta("Name = a\rNDims = 10\n"), "not text");
-  expectError(meta("CenterOfRotation = 1 2\n"), "3 finite numbers");
-  expectError(meta("CompressedData = True\n"), "how many bytes");
+  expectError(meta("CompressedData = True\n"), "damaged");
   expectError(meta("CompressedData = True\nCompressedDataSize = 99999\n"), "ends before");
   expectError(meta("BinaryData = False\n"), "ends before");
   const auto nrrds = [&](const std::string& more) {
     return [&folder, more] { readScan(folder.write("a.nrrd", nrrd("uint8", more, k24))); };
   };
   expectError(nrrds("space dimension: 8\nspace origin: (1,2,3,4,5,6,7,8)\n"), "three dimensions");
-  expectError(nrrds("space: 3D-right-handed-time\n"), "three dimensions");
+  expectError(nrrds("space: 3D-right-handed-time\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"),
+              "vectors of 4");
   expectError(nrrds("dimension: 16\n"), "twice");
   expectError(nrrds("# a\rdimension: 16\n"), "not text");
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """make_corpus.py FOLDER: writes small files for every fuzzer into FOLDER/<target>; those named good_* must be accepted."""
 import base64
+import bz2
 import gzip
 import io
 import json
@@ -166,14 +167,16 @@ def vtk(form, data):
             "LOOKUP_TABLE default\n").encode() + data
 
 
-def nifti():
+def nifti(q=1, s=0):
     head = bytearray(348)
     struct.pack_into("<i", head, 0, 348)
     struct.pack_into("<8h", head, 40, 3, 4, 3, 2, 1, 1, 1, 1)
     struct.pack_into("<2h", head, 70, 2, 8)
     struct.pack_into("<8f", head, 76, 1, 0.5, 0.5, 0.5, 0, 0, 0, 0)
     struct.pack_into("<3f", head, 108, 352, 1, 0)
-    struct.pack_into("<2h", head, 252, 1, 0)
+    head[123] = 2
+    struct.pack_into("<2h", head, 252, q, s)
+    struct.pack_into("<12f", head, 280, -0.5, 0, 0, 3, 0, -0.5, 0, 4, 0, 0, 0.5, 5)
     head[344:348] = b"n+1\0"
     return bytes(head) + bytes(4) + VOXELS
 
@@ -227,13 +230,13 @@ def geometry(spacing=0.5, kind=1, shift=0.0):
     return struct.pack("<3i15d3B", 5, 4, 3, spacing, 0.6, 0.7, shift, 0, 0, *identity, kind, 1, 1)
 
 
-def volume_answer(grid=b"\0"):
+def volume_answer(grid=b"\0", mask=b""):
     """As core/io/reader_wire.cpp has it: what may be missing, the grid first, then the rest in its order."""
     text = b"NRRD"
     head = grid + struct.pack("<BB", 0, 0) + struct.pack("<Q", len(text)) + text
     identity = [float(r == c) for r in range(3) for c in range(3)]
     place = struct.pack("<3i3d3d9d", 4, 3, 2, 0.5, 0.5, 0.5, 0, 0, 0, *identity)
-    return head + place + struct.pack("<BiiidQQQQ", 1, 1, 1, 1, 0, 0, 0, 24, 24) + VOXELS
+    return head + place + struct.pack("<BiiidQQQQ", 1, 1, 1, 1, 0, 0, 0, 24, 24) + VOXELS + struct.pack("<Q", len(mask)) + mask
 
 
 def swept(fan, sweep):
@@ -332,12 +335,27 @@ def corpus():
     yield "vtk_surface", {"text": vtk_surface(False), "binary": vtk_surface(True), "offsets": offsets}, {}
     yield "vtp", {"text": vtp(False), "packed": vtp(True)}, {}
     yield "nrrd", {"raw": nrrd("raw", VOXELS), "gzip": nrrd("gzip", gzip.compress(VOXELS, mtime=0)),
-                   "text": nrrd("ascii", text)}, {"outside": nrrd("raw", b"", "data file: ../b.raw\n")}
+                   "text": nrrd("ascii", text), "hex": nrrd("hex", VOXELS.hex().encode()),
+                   "bzip2": nrrd("bzip2", bz2.compress(VOXELS)), "units": nrrd("raw", VOXELS, 'space units: "cm" "cm" "cm"\n'),
+                   "mins": nrrd("raw", VOXELS).replace(b"space: left-posterior-superior\n", b"").replace(
+                       b"space directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\n", b"axis mins: 0 1 2\naxis maxs: 4 5 6\n").replace(
+                       b"space origin: (0,0,0)\n", b"units: \"mm\" \"mm\" \"cm\"\n"),
+                   "steps": nrrd("raw", VOXELS).replace(b"dimension: 3", b"dimension: 4").replace(b"sizes: 4 3 2", b"sizes: 4 3 2 2")
+                   .replace(b"kinds: domain", b"kinds: time domain").replace(b"directions: ", b"directions: none ")
+                   + VOXELS}, {
+        "list": nrrd("raw", b"", "data file: LIST\na.nrrd\na.nrrd\n"), "pattern": nrrd("raw", b"", "data file: a%d.raw 1 9 1\n"),
+        "outside": nrrd("raw", b"", "data file: ../b.raw\n")}
     yield "meta", {"raw": meta("", VOXELS)} | {
         "packed": meta(f"CompressedData = True\nCompressedDataSize = {len(zlib.compress(VOXELS))}\n",
-                       zlib.compress(VOXELS))}, {"list": meta("", b"").replace(b"LOCAL", b"LIST\na\n")}
-    yield "vtk", {"binary": vtk("BINARY", VOXELS), "text": vtk("ASCII", text)}, {}
-    yield "nifti", {}, {"plain": nifti(), "packed": gzip.compress(nifti(), mtime=0)}
+                       zlib.compress(VOXELS)), "units": meta("DistanceUnits = cm\n", VOXELS)}, {"list": meta("", b"").replace(b"LOCAL", b"LIST\na\n")}
+    field = b"POINT_DATA 24\nFIELD FieldData 1\ngrey 1 24 unsigned_char\n" + VOXELS
+    cells = vtk("BINARY", VOXELS).replace(b"DIMENSIONS 4 3 2", b"DIMENSIONS 5 4 3").replace(b"POINT_DATA", b"CELL_DATA")
+    planes = (b"DIMENSIONS 4 3 2\nX_COORDINATES 4 int\n0 1 2 3\nY_COORDINATES 3 int\n0 1 2\nZ_COORDINATES 2 int\n0 1\n")
+    yield "vtk", {"binary": vtk("BINARY", VOXELS), "text": vtk("ASCII", text), "cells": cells,
+                  "field": vtk("BINARY", b"").split(b"POINT_DATA")[0] + field,
+                  "grid": vtk("ASCII", text).replace(b"STRUCTURED_POINTS", b"RECTILINEAR_GRID").replace(
+                      b"DIMENSIONS 4 3 2\nSPACING 0.5 0.5 0.5\nORIGIN 0 0 0\n", planes)}, {}
+    yield "nifti", {"plain": nifti(), "matrix": nifti(0, 1), "packed": gzip.compress(nifti(), mtime=0)}, {}
     good, other, directory = dicom_samples()
     yield "dicom", {"explicit": dicom(False), "implicit": dicom(True)} | good, other
     slices = [dicom(series=b"1.3", number=k, place=k) for k in range(4)]
@@ -347,7 +365,7 @@ def corpus():
         "times": dicom_folder(slices + [dicom(series=b"1.3", number=20 + k, place=k) for k in range(4)])}
     yield "geometry", {"plain": geometry()}, {"far": geometry(shift=1e300), "fine": geometry(spacing=1e-300)}
     fan, sweep = [-0.3, 0, 0.3], [-0.2, 0.2]
-    yield "volume_answer", {"whole": volume_answer(), "swept": volume_answer(swept(fan, sweep)),
+    yield "volume_answer", {"whole": volume_answer(), "masked": volume_answer(mask=VOXELS), "swept": volume_answer(swept(fan, sweep)),
                             "pyramid": volume_answer(struct.pack("<B3i4d", 2, 4, 3, 2, 0.5, 0.5, 10, 0.5))}, {
         "turned": volume_answer(swept(fan[::-1], [0.2, 0.2]))}
     toroidal, voxels = kretz_records(), kretz_records(False)

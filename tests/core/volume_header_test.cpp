@@ -1,0 +1,199 @@
+// What headers say that is not read, and why; what they leave open.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/base/log.h"
+#include "core/io/headers/units.h"
+#include "core/io/volume_loader.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+namespace sonoskin {
+namespace {
+
+using test::expectError;
+using test::TempFolder;
+
+const std::string k24(24, '\x80');
+
+std::string nrrd(const std::string& more, const std::string& data = k24, const std::string& type = "uint8") {
+  return "NRRD0005\ntype: " + type + "\ndimension: 3\nsizes: 2 3 4\nencoding: raw\n" + more + "\n" + data;
+}
+std::string mha(const std::string& more, const std::string& data = k24) {
+  return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n" +
+         more + "ElementDataFile = LOCAL\n" + data;
+}
+std::string vtk(const std::string& rest) {
+  return "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\n" + rest;
+}
+
+// A NIfTI-1 of 2 x 3 x 4 bytes whose fields are set by hand.
+class Nifti {
+ public:
+  Nifti() : bytes_(352, '\0') {
+    set<std::int32_t>(0, 348);
+    for (const auto& [n, v] : {std::pair(0, 3), {1, 2}, {2, 3}, {3, 4}, {4, 1}})
+      set(40 + 2 * std::size_t(n), std::int16_t(v));
+    set<std::int16_t>(70, 2), set<std::int16_t>(72, 8);
+    for (std::size_t n = 0; n < 4; ++n) set(76 + 4 * n, 1.0f);
+    set(108, 352.0f);
+    bytes_[123] = 2;
+    set<std::int16_t>(252, 1);
+    bytes_.replace(344, 3, "n+1");
+  }
+  template <class T>
+  Nifti& set(std::size_t at, T value) {
+    std::memcpy(bytes_.data() + at, &value, sizeof value);
+    return *this;
+  }
+  // matrix: the sform, by rows.
+  Nifti& matrix(const std::array<float, 12>& rows) {
+    set<std::int16_t>(254, 1);
+    for (std::size_t n = 0; n < 12; ++n) set(280 + 4 * n, rows[n]);
+    return *this;
+  }
+  std::string text() const { return bytes_ + k24; }
+
+ private:
+  std::string bytes_;
+};
+
+TEST(VolumeHeader, UnitsAreKnownInManyWords) {
+  for (const auto& [word, mm] : {std::pair("mm", 1.0),
+                                 {"CM", 10.0},
+                                 {"metres", 1000.0},
+                                 {"m", 1000.0},
+                                 {"um", 1e-3},
+                                 {"\xc2\xb5m", 1e-3},
+                                 {"\xce\xbcm", 1e-3},
+                                 {"\xb5m", 1e-3},
+                                 {"Microns", 1e-3},
+                                 {"inches", 25.4},
+                                 {"in", 25.4},
+                                 {" mm ", 1.0}})
+    EXPECT_EQ(millimetresIn(word), mm) << word;
+  EXPECT_FALSE(millimetresIn("pixel"));
+  EXPECT_FALSE(millimetresIn("s"));
+  EXPECT_EQ(secondsIn("ms"), 1e-3);
+  EXPECT_EQ(secondsIn("seconds"), 1.0);
+  EXPECT_FALSE(secondsIn("mm"));
+}
+
+TEST(VolumeHeader, NrrdIsRefusedWithItsReason) {
+  const TempFolder folder;
+  const auto refuses = [&](const std::string& more, const std::string& part,
+                           const std::string& type = "uint8") {
+    SCOPED_TRACE(more);
+    expectError(
+        [&] {
+          loadVolume(
+              folder.write("a.nrrd",
+                           nrrd(more, std::string(more.starts_with("data file") ? 0 : 400, '\1'), type)),
+              {});
+        },
+        part);
+  };
+  const std::string straight = "space directions: (1,0,0) (0,1,0) (0,0,1)\n";
+  refuses("space: left-inferior-superior\n" + straight, "which NRRD does not have");
+  refuses("space: LPS\nspace dimension: 2\n" + straight, "contradict each other");
+  refuses("space dimension: 4\n" + straight, "three dimensions");
+  refuses("space: LPS\nspace directions: (1,0,0) (0.5,1,0) (0,0,1)\n", "right angles");
+  refuses("space: LPS\nspace directions: (1,0,0) (0,1,0)\n", "not 3 vectors");
+  refuses("space: LPS\nspace directions: (1,0) (0,1) (1,1)\n", "not vectors of 3 numbers");
+  refuses("space: LPS\nspace directions: (1,0,0) (0,nan,0) (0,0,1)\n", "not finite");
+  refuses("space: LPS\nspace directions: (1,0,0) (0,0,0) (0,0,1)\n", "without length");
+  refuses("space: LPS\n" + straight + "space origin: (1,2)\n", "not 3 numbers");
+  refuses("space: LPS\n" + straight + "space units: \"mm\" \"mm\"\n", "not 3 words");
+  refuses("spacings: 1 2\n", "one number per axis");
+  refuses("spacings: 1 0 1\n", "must be positive");
+  refuses("spacings: 1 1 1\naxis mins: 0 0 0\naxis maxs: 2 9 4\ncenters: cell cell cell\n", "contradict");
+  refuses("kinds: domain domain vector\n", "2 of them of space");
+  refuses("kinds: domain domain\n", "one word per axis");
+  refuses("byte skip: -2\n", "byte skip");
+  refuses("line skip: -1\n", "line skip");
+  refuses("data file: LIST\n", "names no data files");
+  refuses("data file: LIST\na.raw\nb.raw\n", "2 data files where 4 are needed");
+  refuses("data file: a%d.raw 1 70000 1\n", "more than 65535 data files");
+  refuses("data file: a%s.raw 1 4 1\n", "pattern that is not known");
+  refuses("data file: ../a%d.raw 1 4 1\n", "outside of its own folder");
+  refuses("", "endian", "int16");
+}
+
+TEST(VolumeHeader, NrrdPackedInWaysThatAreDamagedOrUnknown) {
+  const TempFolder folder;
+  const auto packed = [&](const std::string& how, const std::string& data) {
+    std::string text = nrrd("", data);
+    text.replace(text.find("raw"), 3, how);
+    return [&folder, text] { loadVolume(folder.write("a.nrrd", text), {}); };
+  };
+  expectError(packed("zrl", k24), "\"zrl\", which is not known here");
+  expectError(packed("bzip2", "BZh9 and no more than this"), "damaged");
+  expectError(packed("bzip2", "BZh9"), "ends before");
+  expectError(packed("hex", "00 11 22"), "ends before");
+  expectError(packed("hex", std::string(47, '0') + "x"), "not all numbers");
+  expectError(packed("ascii", "1 2 3"), "ends before");
+  std::string words;
+  for (int n = 0; n < 24; ++n) words += n == 20 ? "300 " : "7 ";
+  expectError(packed("ascii", words), "not all numbers");
+}
+
+TEST(VolumeHeader, MetaImageIsRefusedWithItsReason) {
+  const TempFolder folder;
+  const auto refuses = [&](const std::string& more, const std::string& part) {
+    SCOPED_TRACE(more);
+    expectError([&] { loadVolume(folder.write("a.mha", mha(more)), {}); }, part);
+  };
+  refuses("Offset = 1 2 3\nPosition = 1 2 4\n", "origin twice");
+  refuses("TransformMatrix = 1 0 0 0 1 0 0 0 1\nRotation = -1 0 0 0 -1 0 0 0 1\n",
+          "direction of the axes twice");
+  refuses("TransformMatrix = 1 0 0 0 1 0 0 0\n", "9 finite numbers");
+  refuses("TransformMatrix = 1 0 0 0 1 0 0 0.5 1\n", "right angles");
+  refuses("ElementNumberOfChannels = 2\n", "numbers per voxel");
+  refuses("Kinds = domain domain\n", "3 words");
+  refuses("HeaderSize = -1\nCompressedData = True\n", "HeaderSize");
+  refuses("A : b = 1\n", "read in different ways");
+  std::string list = mha("", "a.raw\nb.raw\n");
+  list.replace(list.find("LOCAL"), 5, "LIST");
+  expectError([&] { loadVolume(folder.write("a.mhd", list), {}); }, "2 data files where 4 are needed");
+}
+
+// Point 2 of what was found: these were all said to hold no voxels.
+TEST(VolumeHeader, NiftiIsRefusedWithItsReason) {
+  const TempFolder folder;
+  const auto refuses = [&](const Nifti& nifti, const std::string& part) {
+    expectError([&] { loadVolume(folder.write("a.nii", nifti.text()), {}); }, part);
+  };
+  refuses(Nifti().matrix({-1, 0.3f, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}), "right angles");
+  refuses(Nifti().matrix({-1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0}), "without length");
+  refuses(Nifti().set(256, 0.9f).set(260, 0.9f), "no rotation");
+  refuses(Nifti().set<std::int16_t>(70, 32), "type 32");
+  refuses(Nifti().set(344, '\0'), "does not tell left from right");
+  refuses(Nifti().set<std::int16_t>(50, 3).set<std::int16_t>(40, 5), "more than one number per voxel");
+  std::string pair = Nifti().set(345, 'i').text();
+  pair.replace(344, 3, "ni1");
+  expectError([&] { loadVolume(folder.write("a.hdr", pair), {}); }, "put the .img file beside it");
+}
+
+TEST(VolumeHeader, VtkIsRefusedWithItsReason) {
+  const TempFolder folder;
+  const auto refuses = [&](const std::string& text, const std::string& part) {
+    expectError([&] { loadVolume(folder.write("a.vtk", text), {}); }, part);
+  };
+  refuses(vtk("POINT_DATA 24\nVECTORS v unsigned_char\n" + std::string(72, 'a')),
+          "no grey or coloured numbers");
+  refuses(vtk("POINT_DATA 23\nSCALARS s unsigned_char\nLOOKUP_TABLE default\n" + k24),
+          "does not fit its DIMENSIONS");
+  refuses(vtk("POINT_DATA 24\nSCALARS s bit\nLOOKUP_TABLE default\n" + k24), "type that is not known");
+  refuses(vtk("POINT_DATA 24\nSCALARS s short\nLOOKUP_TABLE default\n" + k24), "ends before");
+  std::string grid = vtk("");
+  grid.replace(grid.find("STRUCTURED_POINTS"), 17, "STRUCTURED_GRID");
+  refuses(grid, "regular grid");
+  grid.replace(grid.find("STRUCTURED_GRID"), 15, "RECTILINEAR_GRID");
+  refuses(
+      grid + "X_COORDINATES 2 char\n" + std::string{0, 1} + "\nY_COORDINATES 3 char\n" + std::string{0, 1, 5},
+      "not evenly spaced");
+}
+
+}  // namespace
+}  // namespace sonoskin
