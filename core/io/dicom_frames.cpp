@@ -8,9 +8,13 @@
 namespace sonoskin {
 namespace {
 
+// Three numbers; none of a body is as far away as a kilometre.
 std::optional<glm::dvec3> vector(const DicomItem& item, DicomTag tag, std::size_t from = 0) {
+  constexpr double kFarthest = 1e6;
   const std::vector<double> n = item.numbers(tag);
   if (n.size() < from + 3) return {};
+  for (std::size_t c = from; c < from + 3; ++c)
+    if (std::abs(n[c]) > kFarthest) return {};
   return glm::dvec3(n[from], n[from + 1], n[from + 2]);
 }
 

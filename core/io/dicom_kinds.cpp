@@ -40,6 +40,11 @@ void refuseOtherKinds(const DicomItem& root, const std::filesystem::path& path) 
   const std::string uid = root.text(tag::kSopClass);
   for (const Kind& kind : kKinds)
     require(!isOf(uid, kind), "{} holds {}, not a volume; {}.", path.string(), kind.holds, kind.instead);
+  require(
+      root.text(tag::kImageType).find("MOSAIC") == std::string::npos,
+      "{} holds many slices in one picture (a mosaic), which are not taken apart here; convert it to NIfTI "
+      "with dcm2niix.",
+      path.string());
   if (root.find(tag::kKretzFile)) return;
   const bool isPlaced = root.find(tag::kPosition) || root.find(tag::kFrameGroups);
   require(

@@ -39,8 +39,9 @@ DicomPalette paletteOf(const DicomItem& root, const fs::path& path) {
   for (unsigned c = 0; c < 3; ++c) {
     const std::vector<double> about = root.numbers(tag::kPalette + c);
     const DicomElement* table = root.find(tag::kPaletteRed + c);
-    require(about.size() == 3 && table, "{} lacks the palette of its colours; get a fresh copy.",
-            path.string());
+    const bool isWhole = about.size() == 3 && table && about[0] >= 0 && about[0] <= 65536 &&
+                         about[1] >= -65536 && about[1] <= 65536;
+    require(isWhole, "{} lacks the palette of its colours; get a fresh copy.", path.string());
     const std::size_t count = about[0] == 0 ? 65536 : std::size_t(about[0]);
     const std::string& bytes = table->value;
     const bool wide = bytes.size() >= 2 * count;  // 8 bits may lie alone, or in 16
@@ -155,7 +156,7 @@ DicomPixels pixelsOf(const DicomDataSet& set, DicomSource& source) {
   p.isSigned = take(tag::kSigned, 0) == 1, p.isPlanar = take(tag::kPlanar, 0) == 1;
   p.syntax = set.syntax, p.bigEndian = set.bigEndian;
   p.colour = colourOf(root.text(tag::kPhotometric), p.samples, path);
-  require(p.colour != DicomColour::ybr422 || p.columns % 2 == 0,
+  require((p.colour != DicomColour::ybr422 || p.columns % 2 == 0) && !(p.isSigned && p.components() > 1),
           "{} has a header that contradicts itself; get a fresh copy.", path.string());
   if (!root.find(tag::kFloatPixels) && !root.find(tag::kDoublePixels)) checkBits(p, path);
   if (p.colour == DicomColour::palette) p.palette = paletteOf(root, path);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/dicom_straighten.h"
+
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
@@ -78,6 +80,14 @@ std::optional<glm::dvec2> shiftOf(const std::vector<DicomPlace>& places) {
   return straight ? glm::dvec2(0) : shift;
 }
 
+// Whether a straight grid is not much larger than what it holds.
+bool isWorthIt(const Geometry& g, const glm::dvec2& shift) {
+  constexpr double kSmall = 1 << 22, kMostGrowth = 4;  // voxels
+  const glm::dvec3 grid(straightened(g, shift)), dims(g.dims);
+  const double voxels = grid.x * grid.y * grid.z;
+  return voxels <= kSmall || voxels <= kMostGrowth * dims.x * dims.y * dims.z;
+}
+
 void compareSpacing(DicomVolume& volume, const DicomFrame& first) {
   const double told = first.slices, found = volume.geometry.spacing.z;
   if (told > 0 && std::abs(told - found) > 0.01 * found)
@@ -123,6 +133,11 @@ void setPlaces(DicomVolume& volume, const std::vector<DicomPlace>& places, const
                           "resample them to a straight grid first.",
                           path.string()));
   volume.shift = shift.value_or(glm::dvec2(0));
+  if (!isWorthIt(g, volume.shift))
+    volume.refusal = Error(fmt::format(
+        "Each slice of the series in {} lies {:.4g} mm across the one before, too far for a straight grid; "
+        "resample them first.",
+        path.string(), glm::length(volume.shift)));
   compareSpacing(volume, first);
 }
 
