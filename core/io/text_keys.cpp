@@ -13,13 +13,11 @@ namespace fs = std::filesystem;
 KeyText::KeyText(const fs::path& path, char between) : path_(path) {
   constexpr std::uintmax_t kMost = 1u << 20;
   const std::string text = readText(path, kMost);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = std::string_view(text).substr(at, end - at);
-    at = end + 1;
-    const std::size_t cut = line.find(between);
+  HeaderLines lines(text, path);
+  while (const auto line = lines.next()) {
+    const std::size_t cut = line->find(between);
     if (cut == std::string_view::npos) continue;
-    values_.emplace(lowerCase(trimmed(line.substr(0, cut))), trimmed(line.substr(cut + 1)));
+    values_.emplace(lowerCase(trimmed(line->substr(0, cut))), trimmed(line->substr(cut + 1)));
   }
 }
 

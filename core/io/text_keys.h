@@ -12,7 +12,7 @@ namespace sonoskin {
 class KeyText {
  public:
   //   between  what stands between key and value
-  //   errors   Error: it is larger than any such header, or cannot be read
+  //   errors   Error: it is larger than any such header, holds control characters, or cannot be read
   KeyText(const std::filesystem::path& path, char between);
 
   // valueOf: without the blanks around; nothing where there is no such key. Capitals do not count.

@@ -2,6 +2,7 @@
 
 #include <expat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
@@ -46,6 +47,11 @@ void takeRawData(Reading& reading, const XML_Char** attributes) {
   volume.dims = vectorIn(reading, attributes);
 }
 
+// A name of a file, as people can read it.
+bool isName(std::string_view text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
+}
+
 void takeItem(Reading& reading, std::string_view element, const XML_Char** attributes) {
   VvdVolume& volume = reading.volumes.back();
   if (reading.item == "Offset" && element == "value") volume.offset = vectorIn(reading, attributes);
@@ -73,6 +79,7 @@ void begin(void* data, const XML_Char* name, const XML_Char** attributes) {
     reading.volumes.back().file = attribute(attributes, "value");
   if (element == "MetaItem") reading.item = attribute(attributes, "name");
   takeItem(reading, element, attributes);
+  reading.damaged |= !isName(reading.volumes.back().file);
 }
 
 void end(void* data, const XML_Char* name) {

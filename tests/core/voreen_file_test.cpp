@@ -70,6 +70,7 @@ TEST(VoreenDat, RefusesWhatItDoesNotKnow) {
   refuses("ObjectFileName: a.raw\nResolution: 4 3 nan\nFormat: UCHAR\n", "Resolution");
   refuses("ObjectFileName: a.raw\nResolution: 4 3 1\nFormat: UCHAR\n", "Resolution");
   refuses(dat("Format: UCHAR\nNumFrames: 0\n"), "NumFrames");
+  refuses(std::string("ObjectFileName: a\x01.raw\nResolution: 4 3 2\nFormat: UCHAR\n"), "is not text");
   refuses("ObjectFileName: gone.raw\nResolution: 4 3 2\nFormat: UCHAR\n", "no file");
 }
 
@@ -135,6 +136,8 @@ TEST(VoreenVvd, RefusesWhatItDoesNotKnow) {
   refuses(other, "format that is not known");
   other = vvd(volumeOf("a.raw", kPlace));
   other.replace(other.find("x=\"4\""), 5, "x=\"a\"");
+  refuses(other, "no header of Voreen");
+  other = vvd(volumeOf("a&#10;b.raw", kPlace));
   refuses(other, "no header of Voreen");
   // Entities that grow without end are expat's to refuse.
   std::string bomb = "<?xml version=\"1.0\"?><!DOCTYPE v [<!ENTITY a \"aaaaaaaaaa\">";
