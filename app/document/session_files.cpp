@@ -275,7 +275,7 @@ void Session::saveScan(const fs::path& path) {
 }
 
 void Session::saveClassified(const fs::path& path) {
-  require(frame_.results.classified != nullptr, "Nothing is classified yet that could be saved.");
+  require(frame_.results.classified != nullptr, "Nothing is classified yet; wait until it is.");
   saveAlone(path, [path, classified = frame_.results.classified, beam = frame_.scan.beam](
                       const Progress& progress) { writeVolume(path, *classified, beam, progress); });
 }

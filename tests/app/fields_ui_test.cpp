@@ -15,7 +15,7 @@ namespace {
 // FieldsUi: an interface without a window and without OpenGL.
 class FieldsUi : public ImGuiTest {
  protected:
-  FieldsUi() : ImGuiTest({600, 2000}) {}
+  FieldsUi() : ImGuiTest({600, 3000}) {}
   void SetUp() override {
     ImGuiTest::SetUp();
     frame();

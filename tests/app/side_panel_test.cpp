@@ -75,7 +75,7 @@ TEST_F(SidePanel, HasARowForEveryParameter) {
   openAll();
   groups(
       [&](const Group& group, auto&) {
-        for (const char* elsewhere : {"region", "global", "skin", "light", "landmarks"})
+        for (const char* elsewhere : {"raw", "region", "global", "skin", "light", "landmarks"})
           if (group.name == elsewhere) return;
         EXPECT_GT(rows(group.name).second, 0) << group.name;
         EXPECT_EQ(rows(group.name).first, rows(group.name).second) << group.name;

@@ -128,9 +128,12 @@ TEST(Sweep, GapsAreFilledBetweenPicturesAndNowhereElse) {
   fillGaps(3, volume, mask);
   for (int k = 0; k < 14; ++k) {
     EXPECT_EQ(mask.at(5, 5, k) != 0, k >= 3 && k <= 8) << k;
-    if (k > 3 && k < 8) EXPECT_GT(volume.at(5, 5, k), value(5, 3) - 0.5f) << k;
-    if (k > 3 && k < 8) EXPECT_LT(volume.at(5, 5, k), value(5, 8) + 0.5f) << k;
-    if (k < 3 || k > 8) EXPECT_EQ(volume.at(5, 5, k), 0) << k;
+    if (k > 3 && k < 8) {
+      EXPECT_GT(volume.at(5, 5, k), value(5, 3) - 0.5f) << k;
+      EXPECT_LT(volume.at(5, 5, k), value(5, 8) + 0.5f) << k;
+    } else if (k < 3 || k > 8) {
+      EXPECT_EQ(volume.at(5, 5, k), 0) << k;
+    }
   }
   EXPECT_EQ(volume.at(5, 5, 3), value(5, 3));
 }

@@ -24,7 +24,7 @@ inline void writeRecording(const std::filesystem::path& path, PhantomOptions pha
                           g.dims.y, g.dims.z, steps, text(g.direction[0] * g.spacing.x),
                           text(g.direction[1] * g.spacing.y), text(g.direction[2] * g.spacing.z),
                           text(g.origin))
-           << "kinds: domain domain domain list\n\n";
+           << "kinds: domain domain domain time\n\n";
     for (const float value : scan.volume->data) file.put(char(std::uint8_t(255 * value + 0.5f)));
   }
 }
