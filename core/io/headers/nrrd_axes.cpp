@@ -83,6 +83,8 @@ void guessRoles(const std::vector<Axis>& axes, bool directed, std::vector<AxisRo
     std::replace(roles.begin(), roles.end(), AxisRole::unsaid, AxisRole::space);
     return;
   }
+  require(roles.size() == 3 || roles.size() == 4, "{} has {} dimensions; a volume has 3, or 4 with time.",
+          path.string(), roles.size());
   // One more than space has: time, where it comes last and cannot be colour.
   require(open == missing + 1 && roles.back() == AxisRole::unsaid && roles.size() == 4 &&
               roles[0] != AxisRole::colour,
