@@ -198,8 +198,7 @@ TEST(TrackedPictures, TheMaskIsWhatTheyCovered) {
   const Geometry& g = loaded.stored.geometry;
   ASSERT_EQ(loaded.mask.size(), g.voxels());
   EXPECT_TRUE(loaded.mask[g.index(g.dims.x / 2, g.dims.y / 2, g.dims.z / 2)]);
-  for (std::size_t v = 0; v < loaded.mask.size(); ++v)
-    EXPECT_TRUE(loaded.mask[v] || loaded.numbers[v] == 0);
+  for (std::size_t v = 0; v < loaded.mask.size(); ++v) EXPECT_TRUE(loaded.mask[v] || loaded.numbers[v] == 0);
 }
 
 TEST(TrackedPictures, OfARealSweepWithoutCalibrationAreRefused) {

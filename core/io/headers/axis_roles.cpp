@@ -52,8 +52,8 @@ bool isRowOfPictures(const std::vector<int>& space, const std::vector<int>& rows
 
 void setDims(DeclaredData& data) {
   for (int a = 0; a < 3; ++a)
-    data.stored.geometry.dims[a] =
-        int(std::clamp<std::int64_t>(data.sizes[std::size_t(data.spaceAxes[std::size_t(a)])], -(1 << 20), 1 << 20));
+    data.stored.geometry.dims[a] = int(std::clamp<std::int64_t>(
+        data.sizes[std::size_t(data.spaceAxes[std::size_t(a)])], -(1 << 20), 1 << 20));
 }
 
 }  // namespace
@@ -102,7 +102,8 @@ void assignAxes(std::vector<AxisRole> roles, DeclaredData& data, const fs::path&
     std::copy(space.begin(), space.end(), data.spaceAxes.begin());
     if (!rows.empty()) data.timeAxis = rows[0];
     if (!rows.empty())
-      data.stored.timeSteps = int(std::clamp<std::int64_t>(data.sizes[std::size_t(rows[0])], -(1 << 20), 1 << 20));
+      data.stored.timeSteps =
+          int(std::clamp<std::int64_t>(data.sizes[std::size_t(rows[0])], -(1 << 20), 1 << 20));
   }
   setDims(data);
 }
