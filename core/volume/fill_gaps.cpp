@@ -9,7 +9,8 @@
 namespace sonoskin {
 namespace {
 
-// Combines each voxel with those up to `radius` from it along an axis; row by row, so that the compiler makes vectors of it.
+// Combines each voxel with those up to `radius` from it along an axis; row by row, so that the compiler makes
+// vectors of it.
 //   outside  what lies beyond the volume
 //   combine  (out, in, tap), of which 2 radius + 1 come
 template <class T, class Combine>

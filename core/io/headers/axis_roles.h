@@ -18,10 +18,12 @@ AxisRole roleOfKind(std::string_view kind);
 // assignAxes: finds the axes of space, time and colour of a file.
 //   input   roles  one for each of data.sizes
 //           data   its sizes and its type
-//           tracked  the header gives a place to many pictures: the last of three axes is a row of them, however it is called
-//   output  data.spaceAxes, timeAxis, componentAxis; stored.geometry.dims, timeSteps and components; `poses`, empty, where
-//           the file is a row of flat pictures
-//   errors  Error: there are not three axes of space; numbers that are neither grey nor colour; two axes of time
+//           tracked  the header gives a place to many pictures: the last of three axes is a row of them,
+//                    however it is called
+//   output  data.spaceAxes, timeAxis, componentAxis; stored.geometry.dims, timeSteps and components; `poses`,
+//           empty, where the file is a row of flat pictures
+//   errors  Error: there are not three axes of space; numbers that are neither grey nor colour; two axes of
+//           time
 void assignAxes(std::vector<AxisRole> roles, DeclaredData& data, const std::filesystem::path& path,
                 bool tracked = false);
 

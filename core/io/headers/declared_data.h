@@ -9,8 +9,9 @@
 #include "core/io/headers/frame_poses.h"
 #include "core/io/stored_volume.h"
 
-// What the headers of NRRD, MetaImage, NIfTI and VTK legacy files say. They are read here and nowhere else: the place of every
-// voxel, the unit of every length, which axis is time, and where the numbers lie. No other library has a say in it.
+// What the headers of NRRD, MetaImage, NIfTI and VTK legacy files say. They are read here and nowhere else:
+// the place of every voxel, the unit of every length, which axis is time, and where the numbers lie. No other
+// library has a say in it.
 namespace sonoskin {
 
 // Encoding: how the numbers are written. packed: zlib or gzip, told apart by the first bytes.
@@ -24,7 +25,8 @@ struct DataPart {
 };
 
 // DeclaredData: what a header says.
-//   stored      all that is known of the volume but its numbers; `type` is what they are after slope and intercept
+//   stored      all that is known of the volume but its numbers; `type` is what they are after slope and
+//               intercept
 //   sizes       of all axes, fastest first; those that have no role below have one sample
 //   spaceAxes   which of them are i, j, k
 //   parts       one after another; each holds as many numbers as any other
@@ -59,7 +61,8 @@ DeclaredData vtkData(const std::filesystem::path& path);    // "VTK File Formats
 //   errors  Error: sizes out of range, or more numbers than any memory holds
 std::uint64_t numbersIn(const DeclaredData& data, const std::filesystem::path& path);
 
-// setScale: what numbers mean: slope * number + intercept. Those that are not finite, and a slope of 0, say nothing.
+// setScale: what numbers mean: slope * number + intercept. Those that are not finite, and a slope of 0, say
+// nothing.
 //   output  data.slope, data.intercept; stored.type, a real one where they change anything
 void setScale(DeclaredData& data, double slope, double intercept);
 

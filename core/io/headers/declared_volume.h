@@ -8,7 +8,8 @@
 
 namespace sonoskin {
 
-// readDeclared: reads a volume in one file, or in the few that its header names: NRRD, MetaImage, NIfTI, VTK legacy.
+// readDeclared: reads a volume in one file, or in the few that its header names: NRRD, MetaImage, NIfTI, VTK
+// legacy.
 //   time    which time step, counted from 1
 //   output  the geometry that the header states, in mm and LPS, as checkGeometry() leaves it
 //   errors  Error: as the header's reader, checkGeometry() and readNumbers(); there is no such time step;

@@ -10,8 +10,8 @@
 
 namespace sonoskin {
 
-// FramePoses: what a row of tracked pictures says of where each lies, as PLUS writes it. Names are such as "ProbeToTracker";
-// matrices are homogeneous, mm, from the first frame's coordinates to the second's.
+// FramePoses: what a row of tracked pictures says of where each lies, as PLUS writes it. Names are such as
+// "ProbeToTracker"; matrices are homogeneous, mm, from the first frame's coordinates to the second's.
 //   fixed        those that hold for all pictures, such as "ImageToProbe"
 //   perFrame     the others, by the number of the picture; not there where the tracker lost it
 //   invalid      numbers of pictures that are none

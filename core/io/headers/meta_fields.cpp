@@ -27,7 +27,8 @@ MetaFields parseMeta(std::string_view text, const fs::path& path) {
     const std::size_t equals = line->find('=');
     if (equals == std::string_view::npos) break;
     const std::string key(trimmed(line->substr(0, equals)));
-    // MetaIO ends a key at ':' too, and takes the last of two equal keys for some fields and the first for others.
+    // MetaIO ends a key at ':' too, and takes the last of two equal keys for some fields and the first for
+    // others.
     require(!key.empty() && key.find(':') == std::string::npos,
             "{} has a line \"{}\" that programs read in different ways; save it again without.",
             path.string(), key.substr(0, 20));

@@ -24,8 +24,8 @@ struct MetaFields {
 };
 
 // parseMeta: of the text that a file begins with.
-//   errors  Error: it does not come to the key ElementDataFile; a key is there twice, or is none that two programs would
-//           read alike; what is no text
+//   errors  Error: it does not come to the key ElementDataFile; a key is there twice, or is none that two
+//           programs would read alike; what is no text
 MetaFields parseMeta(std::string_view text, const std::filesystem::path& path);
 
 bool metaIsTrue(std::string_view text);

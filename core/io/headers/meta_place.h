@@ -11,7 +11,8 @@ namespace sonoskin {
 //   input   data  its sizes, and which of its axes are space
 //   output  stored.geometry in mm and LPS, spacingKnown, modality
 //   errors  Error: a field does not have one finite number per axis; two fields that mean the same differ
-// TransformMatrix holds one direction after another, that of the first axis first: a column of `direction` in each row of three.
+// TransformMatrix holds one direction after another, that of the first axis first: a column of `direction` in
+// each row of three.
 void placeMeta(const MetaFields& meta, DeclaredData& data, const std::filesystem::path& path);
 
 }  // namespace sonoskin

@@ -52,7 +52,8 @@ double secondsPerUnit(int units) {
   }
 }
 
-// The size of voxels. [nifti1.h]: pixdim must be positive; its sign says nothing, mirrors are said by qfac and the matrix.
+// The size of voxels. [nifti1.h]: pixdim must be positive; its sign says nothing, mirrors are said by qfac
+// and the matrix.
 glm::dvec3 voxelSize(const NiftiFields& f) {
   glm::dvec3 size(1);
   bool negative = false;

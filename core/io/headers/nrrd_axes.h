@@ -10,7 +10,8 @@
 
 namespace sonoskin {
 
-// NrrdAxis: what the per-axis fields of a NRRD say of one axis, as they say it; NaN and empty where they do not.
+// NrrdAxis: what the per-axis fields of a NRRD say of one axis, as they say it; NaN and empty where they do
+// not.
 struct NrrdAxis {
   enum class Centre { unsaid, cell, node };
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

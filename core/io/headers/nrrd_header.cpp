@@ -102,7 +102,8 @@ void readSkips(const NrrdFields& nrrd, DeclaredData& data, const fs::path& path)
   data.lastBytes = *bytes == -1;
 }
 
-// How many of the axes, from the fastest on, one file of several holds; the last number of the field, where it is there.
+// How many of the axes, from the fastest on, one file of several holds; the last number of the field, where
+// it is there.
 void checkParts(const DeclaredData& data, std::string_view subdim, const fs::path& path) {
   const auto given = parseNumber<std::size_t>(subdim);
   require(subdim.empty() || (given && *given >= 1 && *given <= data.sizes.size()),

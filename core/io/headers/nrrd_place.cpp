@@ -17,12 +17,14 @@ using Axis = NrrdAxis;
 using Centre = NrrdAxis::Centre;
 constexpr double kNone = NrrdAxis::kNone;
 
-// Span: the spacing of an axis without a direction, with its sign, and the place of its first sample; NaN: not told.
+// Span: the spacing of an axis without a direction, with its sign, and the place of its first sample; NaN:
+// not told.
 struct Span {
   double spacing = kNone, first = kNone;
 };
 
-// [NRRD, "centers"]: samples of cells lie in the middle of as many cells between min and max, those of nodes on both ends.
+// [NRRD, "centers"]: samples of cells lie in the middle of as many cells between min and max, those of nodes
+// on both ends.
 Span spanOf(const Axis& axis, std::int64_t size, const fs::path& path) {
   Span span{axis.spacing, axis.least};
   if (std::isnan(axis.least)) return span;

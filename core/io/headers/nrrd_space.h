@@ -9,7 +9,8 @@ namespace sonoskin {
 
 // NrrdSpace: the world of a NRRD.
 //   dimension  numbers of a vector; 0: the file has no vectors
-//   toLps      what each of a vector's first three numbers is multiplied by: the sign that leads to LPS, and its unit in mm
+//   toLps      what each of a vector's first three numbers is multiplied by: the sign that leads to LPS, and
+//              its unit in mm
 //   hasTime    the last number is time, of which one is `timeUnit` seconds; 0: not told
 struct NrrdSpace {
   int dimension = 0;

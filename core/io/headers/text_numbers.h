@@ -9,7 +9,8 @@
 
 namespace sonoskin {
 
-// readTextNumbers: numbers that are written as words between blanks, as bytes of their type in this machine's order.
+// readTextNumbers: numbers that are written as words between blanks, as bytes of their type in this machine's
+// order.
 //   errors  Error: there are fewer; a word is no number, or none that the type holds
 void readTextNumbers(std::istream& text, NumberType type, std::uint64_t count,
                      const std::filesystem::path& path, const Sink& sink);

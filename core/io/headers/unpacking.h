@@ -21,7 +21,8 @@ std::vector<std::uint8_t> unpackedStart(const std::filesystem::path& path, std::
 // Sink: takes the next of some bytes.
 using Sink = std::function<void(std::span<const std::uint8_t>)>;
 
-// unpack: gives all that is packed in a part of a file, piece by piece, to the end of the stream, whose checksum is compared.
+// unpack: gives all that is packed in a part of a file, piece by piece, to the end of the stream, whose
+// checksum is compared.
 //   input   encoding  packed or bzip2
 //           bytes     how many are to come at least; no more than a little above that are looked at
 //   errors  Error: it is damaged, ends before so many bytes, or holds more

@@ -13,8 +13,8 @@ struct Stretch {
   std::uintmax_t first = 0, last = 0;
 };
 
-// readStretch: a stretch of the `all` bytes that the header declares, as they are stored, words turned into this machine's
-// bytes.
+// readStretch: a stretch of the `all` bytes that the header declares, as they are stored, words turned into
+// this machine's bytes.
 //   errors  Error: a part ends before its share of all bytes, is damaged or no numbers; Cancelled
 std::vector<std::uint8_t> readStretch(const DeclaredData& data, const Stretch& stretch, std::uintmax_t all,
                                       const Progress& progress = {});

@@ -18,8 +18,8 @@ struct VtkArray {
   double slope = 1;  // to what the same numbers are in a binary file
 };
 
-// findVtkArray: the voxels among the attributes of a grid: its first scalars, of points before those of cells, or else the
-// first array of a field that has one number or a colour for each.
+// findVtkArray: the voxels among the attributes of a grid: its first scalars, of points before those of
+// cells, or else the first array of a field that has one number or a colour for each.
 //   input   line    the line POINT_DATA or CELL_DATA, which was read last
 //           points  of the grid along each axis
 //   errors  Error: there is none; counts that do not fit the grid; numbers of a type that is not known here
