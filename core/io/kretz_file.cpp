@@ -62,7 +62,7 @@ Voxels voxelsIn(const KretzRecords& records, int v, std::uint64_t numbers) {
   const fs::path& path = records.path();
   const auto one = records.bytesOf(kretzTag(0xD000, 0x0001, v));
   const auto all = records.bytesOf(kretzTag(0xD600, 0x0001, v));
-  const auto told = records.wholeOf(kretzTag(0xD400, 0x0001, v));
+  const auto told = records.knownWholeOf(kretzTag(0xD400, 0x0001, v));
   Voxels voxels;
   if (!one.empty()) voxels.bytesPerNumber = bytesPerNumber(one.size(), numbers, path);
   if (all.empty()) {

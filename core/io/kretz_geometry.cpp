@@ -91,7 +91,7 @@ void setCartesian(const KretzRecords& records, int v, StoredVolume& stored) {
 
 // 0001,0100: bits 0F voxels, bits F0 samples of beams; where it contradicts the angles that are there, these hold.
 void noteKind(const KretzRecords& records, bool toroidal) {
-  const std::uint32_t kind = records.wholeOf(kretzTag(0x0001, 0x0100)).value_or(0);
+  const std::uint32_t kind = records.knownWholeOf(kretzTag(0x0001, 0x0100)).value_or(0);
   if (toroidal && (kind & 0x0F) && !(kind & 0xF0))
     log(LogLevel::warning,
         "The file says that it has voxels, but gives the angles of beams; samples of beams are assumed.");

@@ -35,6 +35,10 @@ class KretzRecords {
   // wholeOf: a record that is one whole number, of 1 to 4 bytes; nothing where there is none.
   //   errors  Error: it is empty or longer
   std::optional<std::uint32_t> wholeOf(KretzTag tag) const;
+  // knownWholeOf: the same of a record of which little is known: nothing too where it is longer.
+  std::optional<std::uint32_t> knownWholeOf(KretzTag tag) const {
+    return bytesOf(tag).size() <= 4 && !bytesOf(tag).empty() ? wholeOf(tag) : std::nullopt;
+  }
   // valuesOf: a record of 64-bit floating-point numbers; empty where there is none.
   //   errors  Error: it is no whole count of them, or more than `most`
   std::vector<double> valuesOf(KretzTag tag, std::size_t most) const;

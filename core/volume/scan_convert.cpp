@@ -54,7 +54,8 @@ double edgeOf(const SweptGrid& g) {
 Geometry cubesIn(const Extent& box, double edge) {
   Geometry g;
   const glm::dvec3 extent = box.high - box.low;
-  g.dims = glm::max(glm::ivec3(glm::ceil(extent / edge - 1e-9)) + 1, glm::ivec3(2));
+  const glm::dvec3 steps = glm::min(glm::ceil(extent / edge - 1e-9), glm::dvec3(1e9));  // as an int bears
+  g.dims = glm::max(glm::ivec3(steps) + 1, glm::ivec3(2));
   g.spacing = glm::dvec3(edge);
   g.origin = 0.5 * (box.low + box.high) - 0.5 * edge * glm::dvec3(g.dims - 1);
   return g;

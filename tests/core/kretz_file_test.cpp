@@ -118,6 +118,8 @@ TEST(KretzFile, GivesEachTimeStep) {
   expectError([&] { read(cartesian().record(0xD600, 1, ramp(25))); }, "do not fit together");
   expectError([&] { read(cartesian().whole(0xD400, 1, 3).record(0xD600, 1, ramp(48))); },
               "do not fit together");
+  // A count of another form than is known is left alone.
+  EXPECT_EQ(read(cartesian().record(0xD000, 1, kVoxels).record(0xD400, 1, ramp(12))).stored.timeSteps, 1);
   LogRecord record;
   read(cartesian().record(0xD000, 1, kVoxels).whole(0xD400, 1, 5));
   EXPECT_TRUE(warns(record, "5 time steps"));

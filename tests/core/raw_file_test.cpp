@@ -137,6 +137,8 @@ TEST(RawFile, MakesVoxelsOfASector) {
     ASSERT_NEAR(scan.volume->data[v], scan.mask->data[v] ? 128 / 255.0 : 0.0, 1e-6);
   const double radius = 0.5 * glm::length(g.spacing * glm::dvec3(g.dims));
   EXPECT_GT(radius, 25);
+  options.voxel = 1e-9;
+  expectError([&] { readScan(file, options); }, "larger scan.voxel", Error::Kind::system);
   options.raw.axisDepth = 29;
   expectError([&] { readScan(file, options); }, "turned about", Error::Kind::usage);
 }
