@@ -123,8 +123,6 @@ void Application::updateDocument() {
     workspace_.view.content = SpaceContent::mesh;
     if (!workspace_.view.cameraMoved) workspace_.lookAtFace();
   }
-  const std::string title = session.hasScan() ? session.name() + " - Sonoskin" : "Sonoskin";
-  if (title != title_) window_.setTitle(title_ = title);
 }
 
 void Application::draw() {

@@ -55,7 +55,6 @@ class Application {
   std::optional<BackgroundContext> background_;  // made when first needed
   Workspace workspace_;
   ui::FourUp views_;
-  std::string title_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
   std::uint64_t reconstructions_ = 0;  // seen so far

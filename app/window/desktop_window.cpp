@@ -86,7 +86,6 @@ void DesktopWindow::endFrame() {
 bool DesktopWindow::closeRequested() const { return glfwWindowShouldClose(window_); }
 void DesktopWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void DesktopWindow::keepOpen() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
-void DesktopWindow::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 glm::ivec2 DesktopWindow::size() const {
   glm::ivec2 s;

@@ -42,7 +42,6 @@ class DesktopWindow {
   bool closeRequested() const;
   void close();
   void keepOpen();  // takes a request to close back
-  void setTitle(const std::string& title);
   // takeDroppedFiles: what was dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDroppedFiles() { return events_.takeDroppedFiles(); }
   float contentScale() const { return events_.contentScale(); }

@@ -32,6 +32,21 @@ TEST_F(WindowTest, AsksWhatAFileWithoutAHeaderHolds) {
   EXPECT_NEAR(d.session().scan().volume->at(19, 0, 0), 19 / 255.0, 1e-6);
 }
 
+// Other programs, and whoever sees a shared screen, read titles.
+TEST_F(WindowTest, TheTitleHoldsNoNameOfAFile) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  const fs::path file = folder.write("Featherstone.nrrd",
+                                     "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 30 40\n"
+                                     "spacings: 1 1 1\nencoding: raw\n\n" +
+                                         numbers(24000));
+  d.workspace().open(file);
+  ASSERT_TRUE(d.wait([&] { return d.session().name() == "Featherstone.nrrd"; }));
+  d.frames(5);
+  EXPECT_EQ(std::system("xdotool search --name Sonoskin > /dev/null"), 0);
+  EXPECT_NE(std::system("xdotool search --name Featherstone > /dev/null"), 0);
+}
+
 TEST_F(WindowTest, AsksWhichOfSeveralVolumesIsOpened) {
   Driver& d = *driver;
   ASSERT_TRUE(d.waitUntilIdle());
