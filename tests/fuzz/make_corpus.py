@@ -203,7 +203,7 @@ def dicom(implicit=False, series=None, number=1, place=0):
             + element(0x00080060, "CS", b"US") + element(0x00081140, "SQ", sequence)
             + element(0x00180088, "DS", b"0.8") + element(0x0020000E, "UI", series or b"1.2") + places + frames
             + numbers(0x00280010, 4, 5) + element(0x00280030, "DS", b"0.5\\0.6") + numbers(0x00280100, 8, 8, 7, 0)
-            + element(0x7FE00010, "OW", VOXELS[:20] if series else VOXELS))
+            + element(0x7FE00010, "OW", bytes(range(20 if series else 60))))
 
 
 def dicom_folder(files, directory=None):
