@@ -9,6 +9,7 @@
 #include "app/batch/obsolete_files.h"
 #include "app/batch/picture_frame.h"
 #include "app/batch/picture_writer.h"
+#include "core/base/error_text.h"
 #include "core/base/log.h"
 #include "core/base/timer.h"
 #include "core/io/atomic_file.h"
@@ -43,7 +44,7 @@ struct SequenceRun {
 void note(SequenceRun& run, const StepSurface& step) {
   const Results& results = step.results;
   for (const std::string& warning : results.warnings)
-    log(LogLevel::warning, fmt::format("Time step {}: {}", step.time, warning));
+    log(LogLevel::warning, fmt::format("Time step {}: {}", step.time, asSentence(warning)));
   run.report.timeSteps = step.scan.timeSteps;
   run.report.stepSeconds = step.scan.stepSeconds;
   if (run.report.input.empty())

@@ -23,7 +23,8 @@ struct InfoOptions {
   bool formats = false;
 };
 
-nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+// Without -0, which means nothing to people.
+nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
 std::string infoJson(const std::string& name, const VolumeInfo& info) {
   const Geometry& g = info.geometry;
@@ -71,7 +72,7 @@ std::string infoText(const std::string& name, const VolumeInfo& info) {
   text += fmt::format("  size       {:.1f} x {:.1f} x {:.1f} mm\n", size.x, size.y, size.z);
   text += fmt::format("  origin     {:.4g}, {:.4g}, {:.4g} mm (LPS)\n", g.origin.x, g.origin.y, g.origin.z);
   for (int axis = 0; axis < 3; ++axis) {
-    const glm::dvec3& d = g.direction[axis];
+    const glm::dvec3 d = g.direction[axis] + 0.0;
     text += fmt::format("  axis {}     {:.4g}, {:.4g}, {:.4g}\n", "ijk"[axis], d.x, d.y, d.z);
   }
   if (g.mirrors()) text += "  mirrored   the axes are left-handed\n";

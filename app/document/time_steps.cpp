@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/error_text.h"
 #include "core/base/log.h"
 
 namespace sonoskin {
@@ -29,7 +30,7 @@ std::vector<NoSurface> makeSurfaces(const StepLoader& load, const Parameters& pa
     } catch (const Error& error) {
       if (error.kind() != Error::Kind::input) throw;
       missing.push_back({time, error.what()});
-      log(LogLevel::warning, fmt::format("Time step {} has no surface: {}", time, error.what()));
+      log(LogLevel::warning, fmt::format("Time step {} has no surface: {}", time, asSentence(error.what())));
     }
   }
   if (int(missing.size()) == count)
