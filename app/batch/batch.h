@@ -9,7 +9,7 @@
 #include "app/batch/report.h"
 #include "app/document/input.h"
 #include "core/base/progress.h"
-#include "core/io/dicom_patient.h"
+#include "core/io/dicom/dicom_patient.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skin/skin_surface.h"
 #include "render/gl/context.h"

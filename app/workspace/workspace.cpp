@@ -1,7 +1,7 @@
 #include "app/workspace/workspace.h"
 
 #include "app/document/face_view.h"
-#include "core/io/raw_file.h"
+#include "core/io/scanners/raw_file.h"
 
 namespace sonoskin {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/io/dicom_patient.h"
+#include "core/io/dicom/dicom_patient.h"
 #include "core/mesh/mesh.h"
 
 // The contents of mesh files. Input for all: a mesh that writeMesh has checked, world mm, LPS. PLY is our own code,

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/progress.h"
-#include "core/io/dicom_patient.h"
+#include "core/io/dicom/dicom_patient.h"
 #include "core/mesh/mesh.h"
 
 namespace sonoskin {

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "core/io/dicom_folder.h"
-#include "core/io/dicom_series.h"
+#include "core/io/dicom/dicom_folder.h"
+#include "core/io/dicom/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
 

@@ -1,15 +1,15 @@
 #include "core/io/volume_loader.h"
 
 #include "core/base/error.h"
-#include "core/io/dicom_series.h"
+#include "core/io/dicom/dicom_series.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
 #include "core/io/headers/declared_volume.h"
-#include "core/io/kretz_file.h"
-#include "core/io/raw_file.h"
-#include "core/io/toshiba_file.h"
-#include "core/io/voreen_dat.h"
-#include "core/io/voreen_vvd.h"
+#include "core/io/scanners/kretz_file.h"
+#include "core/io/scanners/raw_file.h"
+#include "core/io/scanners/toshiba_file.h"
+#include "core/io/scanners/voreen_dat.h"
+#include "core/io/scanners/voreen_vvd.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;

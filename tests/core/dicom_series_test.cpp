@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/log.h"
-#include "core/io/dicom_series.h"
+#include "core/io/dicom/dicom_series.h"
 #include "core/io/volume_loader.h"
 #include "core/io/volume_reader.h"
 #include "tests/support/dicom.h"

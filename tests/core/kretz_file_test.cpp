@@ -1,4 +1,4 @@
-#include "core/io/kretz_file.h"
+#include "core/io/scanners/kretz_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/raw_file.h"
+#include "core/io/scanners/raw_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/toshiba_file.h"
+#include "core/io/scanners/toshiba_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "core/io/scanners/voreen_dat.h"
+#include "core/io/scanners/voreen_vvd.h"
 #include "core/io/volume_reader.h"
-#include "core/io/voreen_dat.h"
-#include "core/io/voreen_vvd.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/kretz.h"
 #include "tests/support/temp_folder.h"

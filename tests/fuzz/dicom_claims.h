@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/dicom_series.h"
+#include "core/io/dicom/dicom_series.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace sonoskin::fuzz {

@@ -1,6 +1,6 @@
 // GE Kretz files, as they lie in memory, on disk or inside of a DICOM file.
 #include "core/base/log.h"
-#include "core/io/kretz_file.h"
+#include "core/io/scanners/kretz_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace sonoskin;

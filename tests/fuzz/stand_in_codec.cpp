@@ -1,6 +1,6 @@
-// In the place of core/io/dicom_codec.cpp: what GDCM makes of packed pixels is not looked for here.
+// In the place of core/io/dicom/dicom_codec.cpp: what GDCM makes of packed pixels is not looked for here.
 #include "core/base/error.h"
-#include "core/io/dicom_codec.h"
+#include "core/io/dicom/dicom_codec.h"
 
 namespace sonoskin {
 

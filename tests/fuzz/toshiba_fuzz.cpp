@@ -1,6 +1,6 @@
 // The text beside Toshiba's raw files.
 #include "core/base/log.h"
-#include "core/io/toshiba_file.h"
+#include "core/io/scanners/toshiba_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace sonoskin;

@@ -1,7 +1,7 @@
 // Voreen's headers: text where the first byte is even, else XML.
 #include "core/base/log.h"
-#include "core/io/voreen_dat.h"
-#include "core/io/voreen_vvd.h"
+#include "core/io/scanners/voreen_dat.h"
+#include "core/io/scanners/voreen_vvd.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace sonoskin;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/io/dicom/dicom_pixels.h"
+
+namespace sonoskin {
+
+// unpackFrame: the samples of one packed frame, side by side, in the bits that are allocated for them, little endian. The
+// colours are those of the stream: see streamColour.
+//   input   packed  the frame's pieces, one after the other
+//   errors  Error: packed in a way that is not known here, or damaged
+// JPEG of all kinds, JPEG-LS, JPEG 2000 and RLE, by GDCM, which sees nothing else of the file.
+std::vector<std::uint8_t> unpackFrame(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed,
+                                      const std::filesystem::path& path);
+
+// streamFits: whether a packed frame is of the size and number of colours that the file tells, as far as it tells itself: GDCM
+// takes that for granted, and reads or writes beyond the end where it is not so.
+bool streamFits(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed);
+
+// streamColour: what the samples of a packed frame are: a JPEG stream says more than the file around it, which calls YCbCr
+// RGB often enough. In this order: a JFIF mark is of YCbCr [JFIF 1.02, p. 2], but for lossless ones; Adobe's mark tells [ITU-T T.872, 6.5.3];
+// components named R, G and B; colour in a lower resolution, which only YCbCr has; else the file.
+DicomColour streamColour(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed);
+
+}  // namespace sonoskin

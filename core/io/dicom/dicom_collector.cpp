@@ -1,0 +1,131 @@
+#include "core/io/dicom/dicom_collector.h"
+
+#include <algorithm>
+
+#include "core/io/dicom/dicom_makers.h"
+#include "core/io/dicom/dicom_sweep.h"
+#include "core/io/file_bytes.h"
+
+namespace sonoskin {
+namespace fs = std::filesystem;
+namespace {
+
+// Two capital letters by the standard; whatever else a file puts there is not passed on.
+std::string modalityOf(const DicomItem& root) {
+  const std::string word = root.text(tag::kModality);
+  const bool isCode =
+      word.size() == 2 && std::ranges::all_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+  return isCode ? word : std::string();
+}
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+DicomSource DicomFile::open(const fs::path& named) const {
+  DicomSource source(path, named);
+  if (inflatedAt > 0) source.inflate(inflatedAt);
+  return source;
+}
+
+void DicomCollector::add(const fs::path& file, const std::string& onlySeries) {
+  DicomSource source(file, path_);
+  const DicomDataSet set = readDataSet(source);
+  const std::string series = set.root.text(tag::kSeries), instance = set.root.text(tag::kSopInstance);
+  if (!onlySeries.empty() && series != onlySeries) return;
+  refuseOtherKinds(set.root, path_);
+  if (!instance.empty() && instances_.contains(instance)) {
+    ++copies_;
+    return;
+  }
+  const std::size_t files = found_.files.size();
+  DicomFile& added = found_.files.emplace_back();
+  added.path = file, added.bytes = fileSize(file);
+  added.inflatedAt = set.inflatedAt;
+  added.hasBurnedIn = set.root.text(tag::kBurnedIn) == "YES";
+  modalities_.resize(files), warnings_.resize(files);
+  modalities_.push_back(modalityOf(set.root)), warnings_.emplace_back();
+  try {
+    addPictures(set, source);
+  } catch (...) {
+    found_.files.pop_back();
+    throw;
+  }
+  instances_.insert(instance);
+  lastSeries_ = series;
+}
+
+std::optional<std::string> DicomCollector::lastSlice() const {
+  const bool isSlice = !slices_.empty() && slices_.back().file == int(found_.files.size()) - 1;
+  return isSlice ? std::optional(lastSeries_) : std::nullopt;
+}
+
+void DicomCollector::addPictures(const DicomDataSet& set, DicomSource& source) {
+  DicomFile& file = found_.files.back();
+  if (const DicomElement* kretz = set.root.find(tag::kKretzFile)) {
+    file.kretz = {kretz->offset, kretz->length};
+    push(std::vector<DicomVolume>(1));
+    return;
+  }
+  auto own = makersPixels(set.root);
+  file.pixels = own ? std::move(*own) : pixelsOf(set, source);
+  const DicomSpacing spacing = spacingOf(set.root);
+  file.region = spacing.region;
+  warnings_.back() = spacing.warnings;
+  if (auto makers = makersVolume(set.root, file.pixels, path_)) {
+    push({std::move(*makers)});
+    return;
+  }
+  auto frames = framesOf(set.root, file.pixels, spacing);
+  for (DicomFrame& frame : frames) frame.file = int(found_.files.size()) - 1;
+  if (frames.size() == 1)
+    slices_.push_back(frames.front());
+  else
+    addFrames(set.root, std::move(frames), spacing);
+}
+
+void DicomCollector::addFrames(const DicomItem& root, std::vector<DicomFrame> frames,
+                               const DicomSpacing& spacing) {
+  const bool placed = hasFrameGroups(root) &&
+                      std::ranges::any_of(frames, [](const DicomFrame& f) { return f.position.has_value(); });
+  const DicomPixels& pixels = found_.files.back().pixels;
+  std::vector<DicomVolume> volumes;
+  if (placed)
+    volumes = stacksOf(frames, path_);
+  else
+    volumes.push_back(sweepOf(root, std::move(frames), pixels, path_));
+  for (DicomVolume& volume : volumes) {
+    volume.beam = transducerBeam(root, volume.geometry);
+    append(volume.warnings, spacing.warnings);
+  }
+  push(std::move(volumes));
+}
+
+void DicomCollector::push(std::vector<DicomVolume> volumes) {
+  for (DicomVolume& volume : volumes) {
+    volume.file = int(found_.files.size()) - 1;
+    volume.modality = modalities_.back();
+    volume.region = found_.files.back().region;
+    for (DicomFrame& frame : volume.frames) frame.file = volume.file;
+    found_.volumes.push_back(std::move(volume));
+  }
+}
+
+DicomFiles DicomCollector::finish() {
+  for (DicomVolume& volume : stacksOf(slices_, path_)) {
+    const std::size_t file = std::size_t(volume.file);
+    volume.format = "DICOM series", volume.modality = modalities_[file];
+    volume.region = found_.files[file].region;
+    append(volume.warnings, warnings_[file]);
+    found_.volumes.push_back(std::move(volume));
+  }
+  std::ranges::stable_sort(found_.volumes, {}, &DicomVolume::file);
+  if (copies_ > 0)
+    found_.warnings.push_back(copies_ > 1 ? fmt::format("{} files are left out as copies of others.", copies_)
+                                          : "A file is left out as a copy of another.");
+  return std::move(found_);
+}
+
+}  // namespace sonoskin
