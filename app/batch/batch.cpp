@@ -66,6 +66,7 @@ Scan load(BatchRun& run) {
   const bool phantom = run.options.input.volume == kPhantomInput;
   run.stage(phantom ? "simulation" : "reading", [&] {
     scan = loadInput(run.options.input, run.parameters, run.progress.part(0, kLoaded));
+    noteTimeSteps(scan);
     return scan.volume->data.size() * sizeof(float);
   });
   run.report.input = run.options.inputName.empty() ? scan.key.hex() : run.options.inputName;

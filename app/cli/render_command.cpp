@@ -92,6 +92,7 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
                 Error::Kind::usage);
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
   Scan scan = loadInput(o.files, parameters, console.progress().part(0, kLoaded));
+  noteTimeSteps(scan);
   o.picture.beam = beamOf(scan, parameters.scan);
   const auto compute = [&](Goal goal) {
     Results results = Pipeline().run(scan, parameters, goal, console.progress().part(kLoaded, kComputed),

@@ -1,5 +1,7 @@
 #include "app/document/input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <vector>
@@ -50,6 +52,11 @@ void warnOfSpacing(const Scan& scan) {
     log(LogLevel::warning,
         "The file gives no spacing and 1 mm is assumed, so that lengths and areas mean nothing; give it as "
         "scan.spacing.");
+}
+
+void noteTimeSteps(const Scan& scan) {
+  if (scan.timeSteps > 1 && scan.time == 1)
+    log(LogLevel::info, fmt::format("The scan has {} time steps; the first is used.", scan.timeSteps));
 }
 
 Parameters withLandmarks(Parameters parameters, const std::string& input) {

@@ -40,6 +40,9 @@ void fitIntoMemory(Scan& scan, const ScanOptions& options);
 // warnOfSpacing: logs that a scan's spacing is not known, where it is not.
 void warnOfSpacing(const Scan& scan);
 
+// noteTimeSteps: logs that a scan is the first of several time steps, where only one is used and none was chosen.
+void noteTimeSteps(const Scan& scan);
+
 // withLandmarks: the parameters, with the phantom's own landmarks where it is the input and none are set.
 Parameters withLandmarks(Parameters parameters, const std::string& input);
 

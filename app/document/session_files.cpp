@@ -40,6 +40,7 @@ void fit(Opened& opened, const ScanOptions& options) {
   opened.givesSpacing = opened.scan.spacingKnown;
   if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
   warnOfSpacing(opened.scan);
+  noteTimeSteps(opened.scan);
   fitIntoMemory(opened.scan, options);
   mirrorScan(opened.scan, options.mirror);
   opened.reading = options;

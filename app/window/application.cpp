@@ -102,7 +102,7 @@ void Application::updateDocument() {
   for (const LogEntry& entry : log_.take()) {
     if (entry.level == LogLevel::warning)
       workspace_.toasts.warn(entry.sentence);
-    else
+    else if (noted_.insert(entry.sentence).second)
       workspace_.toasts.add(entry.sentence, false);
   }
   if (auto choice = session.takeChoice()) workspace_.choice = std::move(choice);
@@ -110,6 +110,7 @@ void Application::updateDocument() {
   const Scan& scan = session.scan();
   if (session.opened() != opened_) {
     opened_ = session.opened();
+    noted_.clear();
     workspace_.play = {};
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/views/four_up.h"
@@ -57,6 +58,7 @@ class Application {
   ui::FourUp views_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
+  std::set<std::string> noted_;        // of this document: each of its time steps may say the same
   std::uint64_t reconstructions_ = 0;  // seen so far
   double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;
   bool glErrorTold_ = false;

@@ -19,15 +19,16 @@ LoadedVolume load(const fs::path& path, const ReadOptions& options, const Progre
 }
 
 // What of a file is used where it holds more. Does not name it: its name may be a patient's.
-void noteChoices(const StoredVolume& stored, int time, const char* what) {
-  if (stored.timeSteps > 1 && time == 1)
-    log(LogLevel::info, fmt::format("The {} has {} time steps; the first is used.", what, stored.timeSteps));
-  if (stored.components > 1) log(LogLevel::info, fmt::format("The {} is in colour; its grey is used.", what));
+void noteChoices(const StoredVolume& stored, bool isScan) {
+  if (stored.timeSteps > 1 && !isScan)  // of a scan the caller knows whether others are used too
+    log(LogLevel::info, fmt::format("The mask has {} time steps; the first is used.", stored.timeSteps));
+  if (stored.components > 1)
+    log(LogLevel::info, fmt::format("The {} is in colour; its grey is used.", isScan ? "scan" : "mask"));
 }
 
 Scan read(const fs::path& path, const ReadOptions& options, const Progress& progress, bool isScan) {
   LoadedVolume loaded = load(path, options, progress.part(0, 0.6));
-  noteChoices(loaded.stored, options.time, isScan ? "scan" : "mask");
+  noteChoices(loaded.stored, isScan);
   return scanOf(std::move(loaded), options, isScan, progress.part(0.6, 1)).scan;
 }
 

@@ -35,6 +35,7 @@ struct RunTime : testing::Test {
 TEST_F(RunTime, WritesMeshesAndPicturesOfTheSteps) {
   const ProgramResult all = run("all");
   ASSERT_EQ(all.status, 0) << all.err;
+  EXPECT_EQ(all.err.find("the first is used"), std::string::npos) << all.err;
   Names expected{"mesh_0001.ply", "mesh_0002.ply", "mesh_0003.ply", "recipe.json",
                  "report.json",   "skin_0001.png", "skin_0002.png", "skin_0003.png"};
   Names found = filesBelow(out);
