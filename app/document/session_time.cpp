@@ -42,6 +42,12 @@ Scan readStep(const fs::path& source, const ScanOptions& options, const RawOptio
   return scan;
 }
 
+// What was erased, and the box, belong to one grid: samples of beams become larger voxels where memory has become short.
+void requireGrid(const Scan& scan, const Geometry& geometry) {
+  require(scan.volume->geometry.dims == geometry.dims,
+          "Time step {} has other voxels than the one before; open the file anew.", scan.time);
+}
+
 }  // namespace
 
 // Asked for once, whether or not there is such a step; a slider that moves on replaces what it asked for.
@@ -65,8 +71,10 @@ void Session::retime() {
   options.time = time;
   const auto scan = std::make_shared<Scan>();
   opener_.replace({fmt::format("Reading time step {}", time),
-                   [scan, source = document_.source, options, raw = document_.raw](const Progress& progress) {
+                   [scan, source = document_.source, options, raw = document_.raw,
+                    geometry = frame_.scan.volume->geometry](const Progress& progress) {
                      *scan = readStep(source, options, raw, progress);
+                     requireGrid(*scan, geometry);
                    },
                    [this, scan] { adoptStep(std::move(*scan)); }});
 }
@@ -109,10 +117,11 @@ void Session::saveSequence(const fs::path& path, StepRange steps) {
   ScanOptions options = document_.reading;
   options.spacing = document_.parameters.scan.spacing;
   const auto load = [source = document_.source, options, raw = document_.raw,
-                     erased = document_.erased.snapshot(),
+                     geometry = frame_.scan.volume->geometry, erased = document_.erased.snapshot(),
                      key = document_.erased.key()](int time, const Progress& progress) mutable {
     options.time = time;
     Scan scan = readStep(source, options, raw, progress);
+    requireGrid(scan, geometry);
     scan.erased = erased;
     scan.erasedKey = key;
     return scan;
