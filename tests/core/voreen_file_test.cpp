@@ -55,6 +55,17 @@ TEST(VoreenDat, KnowsTypesColoursAndByteOrder) {
   EXPECT_EQ(text(loaded.numbers), ramp(24, 24));
 }
 
+TEST(VoreenDat, ReadsInviwosNameAndNoColourThatIsCutShort) {
+  const TempFolder folder;
+  folder.write("a.raw", ramp(24));
+  const LoadedVolume loaded =
+      readVoreenDat(folder.write("a.dat", "RawFile: a.raw\nResolution: 4 3 2\nFormat: UINT8\n"), {});
+  EXPECT_EQ(text(loaded.numbers), ramp(24));
+  folder.write("a.raw", ramp(60));
+  EXPECT_THROW(readVoreenDat(folder.write("b.dat", dat("Format: UCHAR\nObjectModel: RGB\n")), {}), Error);
+  EXPECT_THROW(readVoreenDat(folder.write("b.dat", dat("Format: UCHAR\nObjectModel: RGBA\n")), {}), Error);
+}
+
 TEST(VoreenDat, RefusesWhatItDoesNotKnow) {
   const TempFolder folder;
   folder.write("a.raw", ramp(24));

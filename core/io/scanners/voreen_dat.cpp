@@ -31,8 +31,8 @@ std::optional<NumberType> formatNumber(std::string_view name) {
   return {};
 }
 
-// UCHAR3 and UCHAR4 are colours of their own; else ObjectModel tells: I, RGB or RGBA. QVis writes RGBA for grey bytes too, so
-// that the size of the file decides between them.
+// UCHAR3 and UCHAR4 are colours of their own; else ObjectModel tells: I, RGB or RGBA. QVis writes RGBA for grey bytes too: a
+// file that has the very size of grey ones holds these.
 struct Kind {
   NumberType type = NumberType::uint8;
   int components = 1;
@@ -55,8 +55,8 @@ Kind kindOf(const KeyText& text, std::uint64_t voxels, std::uint64_t bytes) {
   const int told = model == "rgb" ? 3 : model == "rgba" ? 4 : 1;
   require(told > 1 || model == "i" || model == "density" || model == "scalar",
           "{} has an ObjectModel that is not known here; I, RGB and RGBA are.", text.path().string());
-  const bool holds = bytes / numberTypeBytes(kind.type) / std::uint64_t(told) >= voxels;
-  kind.components = holds ? told : 1;
+  const bool isGrey = told == 4 && bytes / numberTypeBytes(kind.type) == voxels;
+  kind.components = isGrey ? 1 : told;
   return kind;
 }
 
@@ -97,9 +97,11 @@ int framesOf(const KeyText& text) {
 LoadedVolume readVoreenDat(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   progress.update(0);
   const KeyText text(path, ':');
-  const auto name = text.valueOf("ObjectFileName");
+  const auto qvis = text.valueOf("ObjectFileName"), inviwo = text.valueOf("RawFile");
+  const auto name = qvis ? qvis : inviwo;
   require(name && !name->empty(),
-          "{} names no ObjectFileName: it is no header of Voreen, Inviwo or QVis; choose another file.",
+          "{} names no ObjectFileName or RawFile: it is no header of Voreen, Inviwo or QVis; choose another "
+          "file.",
           path.string());
   RawNumbers numbers;
   numbers.file = besideHeader(path, *name);
@@ -108,7 +110,7 @@ LoadedVolume readVoreenDat(const fs::path& path, const ReadOptions& options, con
   stored.format = "Voreen .dat";
   stored.geometry.dims = dimsOf(text);
   const std::uint64_t voxels = countNumbers(stored.geometry.dims, 1, path);
-  const Kind kind = kindOf(text, voxels, fileSize(numbers.file));
+  const Kind kind = kindOf(text, voxels * std::uint64_t(framesOf(text)), fileSize(numbers.file));
   stored.type = numbers.type = kind.type;
   stored.components = kind.components;
   stored.timeSteps = numbers.timeSteps = framesOf(text);
