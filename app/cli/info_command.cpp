@@ -122,11 +122,11 @@ void printVolumes(const std::string& file, const std::vector<VolumeEntry>& volum
 }
 
 void printVolume(const std::string& file, const Parameters& parameters, Console& console) {
-  if (parameters.scan.volume == 0)
-    if (const auto volumes = listVolumes(file); volumes.size() > 1)
+  const ReadOptions options = readOptions(parameters.scan, parameters.raw);
+  if (options.volume == 0)
+    if (const auto volumes = listVolumes(file, options); volumes.size() > 1)
       return printVolumes(file, volumes, console);
-  const VolumeInfo info =
-      readVolumeInfo(file, readOptions(parameters.scan, parameters.raw), console.progress());
+  const VolumeInfo info = readVolumeInfo(file, options, console.progress());
   console.print(infoJson(console.nameOf(file), info), infoText(inputName(file), info));
 }
 

@@ -26,8 +26,8 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
   if (!scan.spacingKnown) setSpacing(scan, parameters.scan.spacing);
   warnOfSpacing(scan);
   fitIntoMemory(scan, parameters.scan);
-  if (!files.mask.empty()) setMask(scan, readMarks(files.mask, progress.part(0.8, 0.9)));
-  if (!files.erased.empty()) setErased(scan, readMarks(files.erased, progress.part(0.9, 1)));
+  if (!files.mask.empty()) setMask(scan, readMarks(files.mask, parameters.raw, progress.part(0.8, 0.9)));
+  if (!files.erased.empty()) setErased(scan, readMarks(files.erased, parameters.raw, progress.part(0.9, 1)));
   mirrorScan(scan, parameters.scan.mirror);  // with the masks, which lie where the file has its voxels
   if (!files.erased.empty()) return scan;
   if (auto erased = erasedIn(files.recipe, scan)) setErased(scan, std::move(*erased));

@@ -75,7 +75,8 @@ void Session::openFile(const fs::path& path, const ScanOptions& options) {
   opened->source = path;
   opened->raw = document_.parameters.raw;
   const auto read = [opened, choice, path, options](const Progress& progress) {
-    if (options.volume == 0) choice->volumes = listVolumes(path, progress.cancelOnly());
+    if (options.volume == 0)
+      choice->volumes = listVolumes(path, readOptions(options, opened->raw), progress.cancelOnly());
     if (choice->volumes.size() > 1) return;
     opened->scan = readScan(path, readOptions(options, opened->raw), progress);
     fit(*opened, options);
@@ -142,7 +143,9 @@ void Session::loadErased(const fs::path& path) {
   require(hasScan(), "There is no volume to erase from; open it first.");
   const auto read = std::make_shared<Scan>(frame_.scan);
   opener_.replace({"Opening " + path.filename().string(),
-                   [read, path](const Progress& progress) { setErased(*read, readMarks(path, progress)); },
+                   [read, path, raw = document_.raw](const Progress& progress) {
+                     setErased(*read, readMarks(path, raw, progress));
+                   },
                    [this, read] {
                      change([&](Document& document) { document.erased.become(*read->erased); });
                      commitEdit();

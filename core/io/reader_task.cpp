@@ -10,7 +10,7 @@ void performTask(const ReaderRequest& request, const std::filesystem::path& path
   if (request.task == ReaderTask::mesh)
     writeAnswer(parseMesh(path, progress), write);
   else if (request.task == ReaderTask::list)
-    writeAnswer(volumesIn(path, progress), write);
+    writeAnswer(volumesIn(path, request.options, progress), write);
   else
     writeAnswer(loadVolume(path, request.options, progress), write);
 }

@@ -25,15 +25,20 @@ FileFormat formatOf(const fs::path& path, const RawOptions& raw) {
   return volumeFormat(path, start);
 }
 
-LoadedVolume readVoreen(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  return lowerExtension(path) == ".vvd" ? readVoreenVvd(path, options, progress)
-                                        : readVoreenDat(path, options, progress);
+bool isVvd(const fs::path& path) { return lowerExtension(path) == ".vvd"; }
+
+void requireOneVolume(const ReadOptions& options, const fs::path& path) {
+  require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
+          options.volume);
 }
 
 }  // namespace
 
 LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  if (!isTold(options.raw) && isToshiba(path)) return readToshiba(path, options, progress);
+  if (!isTold(options.raw) && isToshiba(path)) {
+    requireOneVolume(options, path);
+    return readToshiba(path, options, progress);
+  }
   const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path, options.raw);
   if (format == FileFormat::dicom) {
     LoadedVolume series = readDicomSeries(path, options, progress);
@@ -41,21 +46,20 @@ LoadedVolume loadVolume(const fs::path& path, const ReadOptions& options, const 
     return series;
   }
   if (format == FileFormat::kretz) return readKretzFile(path, options, progress);
-  if (format == FileFormat::voreen) return readVoreen(path, options, progress);
+  if (format == FileFormat::voreen && isVvd(path)) return readVoreenVvd(path, options, progress);
+  requireOneVolume(options, path);
+  if (format == FileFormat::voreen) return readVoreenDat(path, options, progress);
   if (format == FileFormat::raw) return readRawFile(path, options, progress);
-  require(options.volume <= 1, "{} holds one volume; there is no volume {} (scan.volume).", path.string(),
-          options.volume);
   return readDeclared(format, path, options.time, progress);
 }
 
-std::vector<VolumeEntry> volumesIn(const fs::path& path, const Progress& progress) {
-  if (isToshiba(path)) return {};
-  if (!fs::is_directory(path) && !formatNamed(FileKind::readVolume, path) && !hasMark(readBytes(path, 132)))
-    return {};  // of which may be told what is in it
-  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path, {});
+std::vector<VolumeEntry> volumesIn(const fs::path& path, const ReadOptions& options,
+                                   const Progress& progress) {
+  if (!isTold(options.raw) && isToshiba(path)) return {};
+  const FileFormat format = fs::is_directory(path) ? FileFormat::dicom : formatOf(path, options.raw);
   if (format == FileFormat::dicom) return dicomVolumes(path, progress);
   if (format == FileFormat::kretz) return kretzVolumes(readBytes(path), path);
-  if (format == FileFormat::voreen && lowerExtension(path) == ".vvd") return vvdVolumes(path);
+  if (format == FileFormat::voreen && isVvd(path)) return vvdVolumes(path);
   return {};
 }
 

@@ -16,6 +16,7 @@ LoadedVolume loadVolume(const std::filesystem::path& path, const ReadOptions& op
 
 // volumesIn: the volumes of a file or folder that holds several; empty where there is nothing to choose.
 //   errors  as readScan, for what can be told without the voxels
-std::vector<VolumeEntry> volumesIn(const std::filesystem::path& path, const Progress& progress = {});
+std::vector<VolumeEntry> volumesIn(const std::filesystem::path& path, const ReadOptions& options = {},
+                                   const Progress& progress = {});
 
 }  // namespace sonoskin

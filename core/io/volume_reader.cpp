@@ -38,12 +38,17 @@ Scan readScan(const fs::path& path, const ReadOptions& options, const Progress& 
   return read(path, options, progress, true);
 }
 
-std::vector<VolumeEntry> listVolumes(const fs::path& path, const Progress& progress) {
-  if (!readersRun()) return volumesIn(path, progress);
-  return entriesFrom(readApart({ReaderTask::list, {}}, path, progress).bytes(), path);
+std::vector<VolumeEntry> listVolumes(const fs::path& path, const ReadOptions& options,
+                                     const Progress& progress) {
+  if (!readersRun()) return volumesIn(path, options, progress);
+  return entriesFrom(readApart({ReaderTask::list, options}, path, progress).bytes(), path);
 }
 
-Scan readMarks(const fs::path& path, const Progress& progress) { return read(path, {}, progress, false); }
+Scan readMarks(const fs::path& path, const RawOptions& raw, const Progress& progress) {
+  ReadOptions options;
+  options.raw = raw;
+  return read(path, options, progress, false);
+}
 
 VolumeInfo readVolumeInfo(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   LoadedVolume loaded = load(path, options, progress.part(0, 0.6));

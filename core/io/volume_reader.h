@@ -13,8 +13,9 @@
 
 namespace sonoskin {
 
-// readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI-1 (.nii, .nii.gz), VTK legacy
-// (.vtk), GE Kretz (.vol), or a DICOM series (its folder or one of its files; the largest series of several).
+// readScan: reads a recorded volume: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz, .hdr), VTK legacy
+// (.vtk), GE Kretz (.vol), Voreen (.dat, .vvd), Toshiba's export, numbers without a header, or DICOM (a folder, one of its
+// files, a DICOMDIR).
 //   output  intensities in [0, 1] (core/io/normalise.h tells how); world mm, LPS; of several time steps the one that the options name.
 //           spacingKnown is false where the file gives none: the caller must say so
 //   errors  Error: no such file, an unknown format, a file that is damaged, incomplete, flat or too large, each in one
@@ -28,11 +29,14 @@ Scan readScan(const std::filesystem::path& path, const ReadOptions& options = {}
 // listVolumes: what a file or folder with several volumes holds, in the order in which ReadOptions count them; empty where
 // there is nothing to choose.
 //   errors  as readScan, for what can be told without the voxels
-std::vector<VolumeEntry> listVolumes(const std::filesystem::path& path, const Progress& progress = {});
+std::vector<VolumeEntry> listVolumes(const std::filesystem::path& path, const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
-// readMarks: the same of a volume that marks voxels, a mask or erased parts, whose sides may all be marked.
+// readMarks: the same of a volume that marks voxels, a mask or erased parts, whose sides may all be marked; the first time
+// step of it.
+//   raw     what one without a header is told to hold
 //   errors  as readScan
-Scan readMarks(const std::filesystem::path& path, const Progress& progress = {});
+Scan readMarks(const std::filesystem::path& path, const RawOptions& raw, const Progress& progress = {});
 
 // VolumeInfo: what is in a volume file, for people. Holds nothing that could name a patient.
 struct VolumeInfo {

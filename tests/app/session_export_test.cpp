@@ -76,7 +76,7 @@ TEST(SessionExport, VolumesForOtherProgramsReadBack) {
   session.saveScan(folder / "scan.nrrd");
   session.saveClassified(folder / "classified.mha");
   ASSERT_TRUE(wait(session));
-  const Scan scan = readScan(folder / "scan.nrrd"), classified = readMarks(folder / "classified.mha");
+  const Scan scan = readScan(folder / "scan.nrrd"), classified = readMarks(folder / "classified.mha", {});
   EXPECT_TRUE(scan.key == session.scan().key);
   ASSERT_TRUE(session.results().classified);
   EXPECT_EQ(classified.volume->data, session.results().classified->data);

@@ -116,6 +116,20 @@ TEST(RawFile, IsWhatItSaysWhereItHasAMark) {
             glm::ivec3(4, 3, 2));
 }
 
+// Whatever its name promises, and wherever it is looked at: listed, read, as a mask.
+TEST(RawFile, IsWhatItIsToldEverywhere) {
+  const TempFolder folder;
+  const auto file = folder.write("a.vol", ramp(24));
+  EXPECT_TRUE(listVolumes(file, told({4, 3, 2})).empty());
+  EXPECT_EQ(readMarks(file, told({4, 3, 2}).raw).volume->geometry.dims, glm::ivec3(4, 3, 2));
+  ReadOptions fifth = told({4, 3, 2});
+  fifth.volume = 5;
+  expectError([&] { readScan(file, fifth); }, "there is no volume 5");
+  ReadOptions flat = told({4, 3, 2});
+  flat.raw.spacing = {0.5, 0.5, 0};
+  expectError([&] { readScan(file, flat); }, "give all three", Error::Kind::usage);
+}
+
 TEST(RawFile, MakesVoxelsOfASector) {
   const TempFolder folder;
   ReadOptions options = told({30, 20, 12});

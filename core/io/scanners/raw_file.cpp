@@ -58,6 +58,9 @@ void checkTold(const RawOptions& o, const fs::path& path) {
         "raw.grid where it was not sampled on voxels{}{}.",
         path.string(), guesses.empty() ? "" : "; it has the size of ", fmt::join(guesses, ", or ")));
   }
+  const auto given = std::ranges::count_if(o.spacing, [](double mm) { return mm > 0; });
+  if (o.grid == RawGrid::cartesian && given != 0 && given != 3)
+    refuse("One number of raw.spacing is 0; give all three, or none if the spacing is unknown.");
   if (o.grid == RawGrid::sector && !(o.spacing[0] > 0 && o.fanAngle > 0 && o.sweepAngle > 0))
     refuse(
         "The sector has no size; give the first of raw.spacing, raw.firstRadius, raw.axisDepth, raw.fanAngle "
