@@ -19,11 +19,18 @@ void Workspace::open(const std::filesystem::path& file) {
   });
 }
 
-// A file without a header is opened once the person has said what it holds; what was said last, or its size, proposes.
+// A file without a header is opened once the person has said what it holds; what was said last, or its size, proposes. What the
+// program was started with, or what was said of one file, counts for no other.
 void Workspace::askOrOpen(const std::filesystem::path& file) {
   std::error_code code;
   const bool isFile = std::filesystem::is_regular_file(file, code);
-  if (!isFile || !needsRawOptions(file, {})) return session.openFile(file);
+  const RawOptions told = session.hasScan() ? RawOptions() : session.parameters().raw;
+  if (!isFile || !needsRawOptions(file, told)) {
+    Parameters parameters = session.parameters();
+    parameters.raw = told;
+    session.edit(parameters);
+    return session.openFile(file);
+  }
   RawQuestion asked{file, session.parameters().raw, std::filesystem::file_size(file, code)};
   const std::vector<RawGuess> guesses = guessRaw(asked.bytes);
   if (!isTold(asked.options) && !guesses.empty()) {

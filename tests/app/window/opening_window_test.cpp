@@ -30,6 +30,13 @@ TEST_F(WindowTest, AsksWhatAFileWithoutAHeaderHolds) {
   ASSERT_TRUE(d.wait([&] { return d.session().scan().volume->geometry.dims == glm::ivec3(20, 30, 40); }));
   EXPECT_EQ(d.session().scan().volume->geometry.spacing, glm::dvec3(0.5, 0.5, 0.75));
   EXPECT_NEAR(d.session().scan().volume->at(19, 0, 0), 19 / 255.0, 1e-6);
+
+  // A name that promises another format: what was said of the file before is not taken for this one.
+  d.workspace().open(folder.write("other.vol", numbers(20 * 30 * 40)));
+  ASSERT_TRUE(d.waitUntilIdle());
+  d.frames(3);
+  EXPECT_EQ(d.session().name(), "scan.raw");
+  EXPECT_FALSE(isTold(d.session().parameters().raw));
 }
 
 // Other programs, and whoever sees a shared screen, read titles.
