@@ -1,6 +1,7 @@
 #include "core/face/face_refine.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 

@@ -1,5 +1,6 @@
 #include "core/rbf/influences.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 

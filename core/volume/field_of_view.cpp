@@ -1,5 +1,6 @@
 #include "core/volume/field_of_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/parallel.h"

@@ -1,5 +1,6 @@
 #include "core/mesh/atlas/atlas_bands.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace sonoskin {

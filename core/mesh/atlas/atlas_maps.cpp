@@ -1,5 +1,6 @@
 #include "core/mesh/atlas/atlas_maps.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/base/error.h"

@@ -1,5 +1,6 @@
 #include "core/mesh/atlas/atlas_stretch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/parallel_blocks.h"

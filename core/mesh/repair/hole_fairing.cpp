@@ -1,6 +1,7 @@
 #include "core/mesh/repair/hole_fairing.h"
 
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <cmath>
 
 namespace sonoskin {
