@@ -14,7 +14,7 @@ RANKS = {"base": 0, "volume": 1, "mesh": 2, "io": 3, "phantom": 3, "enhancement"
 # The same for rooms inside a folder; "" is what lies in the folder itself.
 ROOMS = {"core/mesh": {"": 0, "iso": 1, "search": 1, "facts": 2, "atlas": 2, "repair": 3, "parts": 4, "print": 4},
          "core/rbf": {"": 0, "compact": 1, "global": 1, "surface": 2},
-         "app": {"document": 0, "widgets": 0, "workspace": 1, "views": 2, "panels": 2, "batch": 1, "window": 3, "cli": 4, "": 5}}
+         "app": {"texts": 0, "document": 1, "widgets": 1, "workspace": 2, "views": 3, "panels": 3, "batch": 2, "window": 4, "cli": 5, "": 6}}
 # Libraries and the one place that may see each.
 LIBRARIES = [(re.compile(r"itk"), re.compile(r"core/io/[^/]+\.cpp")),
              (re.compile(r"glad/|GL/|EGL/"), re.compile(r"render/")),

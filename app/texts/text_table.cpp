@@ -1,0 +1,16 @@
+#include "app/texts/text_table.h"
+
+namespace sonoskin {
+namespace {
+
+// clang-format off
+const Text kTexts[] = {
+  {"Cancel", "Abbrechen", "Annuler"},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Text> textTable() { return kTexts; }
+
+}  // namespace sonoskin
