@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/error_text.h"
+#include "core/base/thread_priority.h"
 
 namespace sonoskin {
 
@@ -82,6 +83,7 @@ std::vector<std::string> Worker::poll() {
 }
 
 void Worker::work() {
+  giveWay();
   std::unique_lock lock(mutex_);
   while (true) {
     if (waiting_.empty()) status_ = {};

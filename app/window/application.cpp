@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
+#include "core/base/task_pool.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
@@ -28,6 +29,7 @@ Application::Application(const std::optional<std::filesystem::path>& file, const
     : settings_(readSettings(settingsFile())),
       window_("Sonoskin", {settings_.width, settings_.height}),
       workspace_(parameters) {
+  TaskPool::instance().giveWay();
   gl::loadGl(glfwGetProcAddress);
   workspace_.glInfo = gl::glInfo();
   workspace_.settings = settings_;

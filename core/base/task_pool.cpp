@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "core/base/thread_priority.h"
+
 namespace sonoskin {
 namespace {
 
@@ -61,6 +63,7 @@ void TaskPool::share(const std::function<void()>& work, int helpers) {
 }
 
 void TaskPool::help() {
+  if (givesWay_) sonoskin::giveWay();
   std::unique_lock lock(mutex_);
   for (;;) {
     if (jobs_.empty()) {

@@ -21,6 +21,10 @@ class TaskPool {
   //   work   may be called several times at once, and may share work itself; throws nothing
   void share(const std::function<void()>& work, int helpers);
 
+  // giveWay: helpers that are made from now on get the processor after the program's other threads: for a program with a
+  // window, before any work is shared.
+  void giveWay() { givesWay_ = true; }
+
  private:
   TaskPool() = default;
   // Job: wanted: helpers who may still come; running: those at work.
@@ -39,6 +43,7 @@ class TaskPool {
   std::vector<Job*> jobs_;       // that want helpers; the last is the innermost
   std::atomic<int> offered_{0};  // jobs in the list, for looks without the mutex
   int threads_ = 0;
+  std::atomic<bool> givesWay_{false};
 };
 
 }  // namespace sonoskin

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/error_text.h"
+#include "core/base/thread_priority.h"
 
 namespace sonoskin {
 namespace {
@@ -79,6 +80,7 @@ std::optional<Results> Runner::takeResults() {
 }
 
 void Runner::work() {
+  giveWay();
   for (;;) {
     std::optional<Request> request;
     bool forgets = false;
