@@ -19,6 +19,10 @@ void takeIn(Frame& frame, Results fresh, const MeshOrigin& origin, const FaceOpt
     fresh.verdicts = before.verdicts;
     fresh.centres = before.centres;
   }
+  if (!fresh.classified) {  // slices alone
+    fresh.classified = before.classified;
+    fresh.stages = before.stages;
+  }
   if (!fresh.thinned) fresh.thinned = before.thinned;
   if (!fresh.points) {
     fresh.points = before.points;

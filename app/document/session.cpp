@@ -137,7 +137,9 @@ void Session::submit(Goal goal) {
   requested_ = {recipeParameters(document_), frame_.scan.erased, keysOf(document_, frame_).mesh};
   Parameters wanted = document_.parameters;
   wanted.print.form = PrintForm::none;  // a solid is made when it is saved
-  runner_.submit({frame_.scan, wanted, goal, goal == Goal::classified});
+  Runner::Request request{frame_.scan, wanted, goal, goal == Goal::classified};
+  if (lookedAt_) request.slicesFirst = glm::round(frame_.scan.volume->geometry.toIndex(*lookedAt_));
+  runner_.submit(std::move(request));
 }
 
 void Session::reconstruct() { submit(Goal::mesh); }
@@ -159,7 +161,7 @@ const FaceFit* Session::face() const {
 void Session::takeResults() {
   std::optional<Results> fresh = runner_.takeResults();
   if (!fresh) return;
-  answerOwed_ = false;
+  if (fresh->classified) answerOwed_ = false;  // else slices alone: the coarse volume follows at once
   if (fresh->mesh && request_ == Goal::mesh) ++reconstructions_;
   takeIn(frame_, std::move(*fresh), requested_, document_.parameters.face);
   tellWarnings(frame_.results.warnings, request_ == Goal::mesh);

@@ -108,6 +108,8 @@ class Session {
   bool followsParameters() const { return follows_; }
   void followParameters(bool follow);
   bool classifiedIsCoarse() const;
+  // lookAt: where slices of the classified volume are looked at, world mm, if they are: sliders are answered there first.
+  void lookAt(const std::optional<glm::dvec3>& cursor) { lookedAt_ = cursor; }
   double meshArea() const { return frame_.meshArea; }  // mm^2
   void reconstruct();
   void cancel();
@@ -184,6 +186,7 @@ class Session {
   int asked_ = 0;                             // the time step that is being read; 0: none
   MirroredAxis turned_ = MirroredAxis::none;  // as asked for last
   std::deque<Scan> steps_;                    // other time steps of the recording, the last one seen first
+  std::optional<glm::dvec3> lookedAt_;
   bool follows_ = true;
   std::optional<Goal> request_;  // what the runner works on
   MeshOrigin requested_;         // from what

@@ -48,6 +48,7 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
 // What the GPU holds of a document goes with it. Results that are made anew take the place of those before.
 void letGoOfClosed(FourUp& views, const Results& results) {
   if (!results.classified) views.scans.classified = {};
+  if (!results.slices[0]) views.scans.slices = {};
   if (!results.thinned) views.scans.thinned = {};
   if (results.mesh) return;
   views.space.mesh.set(nullptr);

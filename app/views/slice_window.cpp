@@ -40,9 +40,21 @@ Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
   return hasher.key();
 }
 
+// Whether a slider was answered in the slice itself before the volume is classified.
+bool isAnswered(const Workspace& w, Plane plane) {
+  const int axis = axisAcross(plane);
+  const auto& slice = w.session.results().slices[std::size_t(axis)];
+  return slice && std::abs(slice->geometry.toIndex(w.view.cursor)[axis]) < 0.5;
+}
+
 // The volume that the layer names; the raw one until the other is there.
-const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer layer) {
+const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer layer, Plane plane) {
   const Results& results = w.session.results();
+  if (layer == SliceLayer::classified && isAnswered(w, plane)) {
+    GpuVolume& slice = scans.slices[std::size_t(axisAcross(plane))];
+    slice.set(results.slices[std::size_t(axisAcross(plane))]);
+    return slice;
+  }
   if (layer == SliceLayer::classified && results.classified) {
     scans.classified.set(results.classified);
     return scans.classified;
@@ -58,10 +70,10 @@ const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer lay
 void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, const Workspace& w) {
   SliceViewInput input{.frame = w.session.scan().volume->geometry,
                        .camera = cameraOf(w.view, plane),
-                       .volume = shownVolume(scans, w, w.view.layer)};
+                       .volume = shownVolume(scans, w, w.view.layer, plane)};
   if (w.view.layer == SliceLayer::raw) input.window = w.view.grey;
   if (marksVoxels(w)) {
-    input.overlay = &shownVolume(scans, w, SliceLayer::thinned);
+    input.overlay = &shownVolume(scans, w, SliceLayer::thinned, plane);
     input.overlayWindow = {0.25f, 0.5f};  // weak voxels are marked as well as strong ones
     input.overlayOpacity = 0.85f;
   }
@@ -78,7 +90,8 @@ void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, G
              glm::ivec2 size) {
   if (w.view.catchingUp) return;
   const Results& results = w.session.results();
-  const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned});
+  const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned,
+                                       results.slices[std::size_t(axisAcross(plane))]});
   const Key key = pictureKey(w, plane, size);
   if (!others && key == window.drawn) return;
   window.drawn = key;
@@ -114,7 +127,8 @@ void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
   const Geometry& g = w.session.scan().volume->geometry;
   const int axis = axisAcross(plane);
   const int slice = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axis]));
-  const bool coarse = w.view.layer == SliceLayer::classified && w.session.classifiedIsCoarse();
+  const bool coarse =
+      w.view.layer == SliceLayer::classified && w.session.classifiedIsCoarse() && !isAnswered(w, plane);
   paneTitle(pane, nameOf(plane), colourOf(plane),
             fmt::format("{} {} of {}   {:.1f} mm{}", "ijk"[axis], slice + 1, g.dims[axis],
                         double(slice) * g.spacing[axis], coarse ? "   coarse" : ""));

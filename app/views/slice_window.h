@@ -15,7 +15,7 @@ namespace sonoskin::ui {
 struct SliceWindow {
   gl::Framebuffer picture;
   Key drawn;  // of what the picture shows
-  ObjectsSeen<3> from;
+  ObjectsSeen<4> from;
   ToolState tools;
 };
 

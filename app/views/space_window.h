@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "app/views/pane.h"
@@ -16,6 +17,7 @@ namespace sonoskin::ui {
 // GpuScans: the copies on the GPU that several views share; each is uploaded when a view first shows it.
 struct GpuScans {
   GpuVolume raw, classified, thinned;
+  std::array<GpuVolume, 3> slices;  // across i, j, k, of a slider's first answer
   GpuMask erased;
 };
 

@@ -107,6 +107,8 @@ void Application::updateDocument() {
     else if (noted_.insert(entry.sentence).second)
       workspace_.toasts.add(entry.sentence, false);
   }
+  const ViewState& view = workspace_.view;
+  session.lookAt(view.layer == SliceLayer::classified ? std::optional(view.cursor) : std::nullopt);
   if (auto choice = session.takeChoice()) workspace_.choice = std::move(choice);
   playWants_ = playOn(workspace_);
   const Scan& scan = session.scan();

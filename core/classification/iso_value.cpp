@@ -144,7 +144,8 @@ double factorFor(float black) {
 }  // namespace
 
 void EdgeField::row(int j, int k, int count, float* out) const {
-  const CellPair y = cellsAround(j, voxels.y, cells.y), z = cellsAround(k, voxels.z, cells.z);
+  const CellPair y = cellsAround(first.y + j, voxels.y, cells.y),
+                 z = cellsAround(first.z + k, voxels.z, cells.z);
   thread_local std::vector<float> line;
   line.resize(std::size_t(cells.x));
   const auto at = [&](int x, int b, int c) {
@@ -157,7 +158,7 @@ void EdgeField::row(int j, int k, int count, float* out) const {
     line[std::size_t(x)] = std::lerp(near, far, z.part);
   }
   for (int i = 0; i < count; ++i) {
-    const CellPair x = cellsAround(i, voxels.x, cells.x);
+    const CellPair x = cellsAround(first.x + i, voxels.x, cells.x);
     const float a = line[std::size_t(x.first)];
     out[i] = a + x.part * (line[std::size_t(x.second)] - a);
   }

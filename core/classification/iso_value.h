@@ -13,10 +13,12 @@ namespace sonoskin {
 //   cells   their number along i, j, k
 //   voxels  their size, in voxels
 //   grey    one for each cell, i fastest
+//   first   the voxel of the whole volume that is (0, 0, 0) here, where this is for a part of it
 struct EdgeField {
   glm::ivec3 cells{1};
   glm::vec3 voxels{1};
   std::vector<float> grey;
+  glm::ivec3 first{0};
 
   // row: the grey at the voxels (0 .. count - 1, j, k).
   void row(int j, int k, int count, float* out) const;

@@ -8,6 +8,7 @@
 #include "core/pipeline/result_memory.h"
 #include "core/pipeline/scan_doubts.h"
 #include "core/pipeline/scan_stages.h"
+#include "core/pipeline/slice_solver.h"
 
 namespace sonoskin {
 namespace {
@@ -38,6 +39,7 @@ struct Pipeline::Memory {
   ResultMemory results;
   LiveSolver solver;
   std::array<LiveSolver, 2> previewSolvers{};  // by Preview
+  SliceSolver sliceSolver{};
 };
 
 Pipeline::Pipeline(std::size_t budget) : memory_(new Memory{ResultMemory(budget), {}}) {}
@@ -47,6 +49,7 @@ void Pipeline::forget() {
   memory_->results.forget();
   memory_->solver.forget();
   for (LiveSolver& solver : memory_->previewSolvers) solver.forget();
+  memory_->sliceSolver.forget();
 }
 
 Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress,
@@ -81,6 +84,24 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   if (goal == Goal::points) return results;
   const Key mesh = makeMesh(context, {found, face, prepared.beam}, results);
   results.isFinal = mesh == results.keys.mesh;
+  return results;
+}
+
+Results Pipeline::slices(const Scan& scan, const Parameters& parameters, const glm::ivec3& voxel,
+                         const Progress& progress) {
+  checkRanges(parameters);
+  Results results;
+  results.keys = stageKeys(scan.key, scan.erasedKey, parameters);
+  memory_->results.beginRun(false);
+  const auto prepared = memory_->results.find<Prepared>(results.keys.prepared);
+  const auto volume = parameters.enhancement.method == EnhancementMethod::none
+                          ? scan.volume
+                          : memory_->results.find<Volume<float>>(results.keys.enhanced);
+  const ClassificationOptions& options = parameters.classification;
+  if (!prepared || !volume || options.formulation != Formulation::variational) return results;
+  noteLevels(options, prepared->smoothed.levels, results);
+  results.slices = memory_->sliceSolver.classify(
+      {{volume, results.keys.enhanced}, {prepared, results.keys.prepared}}, options, voxel, progress);
   return results;
 }
 

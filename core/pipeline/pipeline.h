@@ -44,6 +44,13 @@ class Pipeline {
   //   errors  Error: a parameter is out of range; Cancelled
   Results preview(const Scan& scan, const Parameters& parameters, Preview level,
                   const Progress& progress = {});
+  // slices: classification alone, of the slices that are looked at, for somebody who turns a slider of a large volume.
+  //   voxel   that all three go through
+  //   output  without slices where more than the classification itself has changed since the last run, which has to be
+  //           known for all of the volume; and for the thesis' formulations
+  //   errors  Error: a parameter is out of range; Cancelled
+  Results slices(const Scan& scan, const Parameters& parameters, const glm::ivec3& voxel,
+                 const Progress& progress = {});
   // forget: gives the memory of all results back, as for another document.
   void forget();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,9 @@ struct Results {
   double visibleLevel = 0;  // the grey value that views of the volume take for skin
   StageKeys keys;           // of all that the parameters lead to, without short cuts
   bool isFinal = false;     // the mesh is what Goal::mesh leads to
-  std::shared_ptr<const Volume<float>> classified;      // u in [0, 1]
+  std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
+  // Of u, the slices across i, j, k that are looked at, one voxel thick: where they were made first; see classifySlices.
+  std::array<std::shared_ptr<const Volume<float>>, 3> slices{};
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;
   EdgeProfile edge;                                 // across the surface, where the points were moved onto it

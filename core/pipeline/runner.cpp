@@ -11,6 +11,8 @@ namespace {
 
 // Voxels beyond which the full answer takes so long, half a second, that one on larger voxels is worth its time.
 constexpr std::size_t kSlowVolume = 30'000'000;
+// Voxels up to which the full answer is there in a twentieth of a second.
+constexpr std::size_t kQuickVolume = 3'000'000;
 
 }  // namespace
 
@@ -101,6 +103,24 @@ void Runner::work() {
   }
 }
 
+// What is looked at comes first. Results that were not taken yet make room for later ones: these hold them too.
+void Runner::preview(const Request& request, const Progress& progress,
+                     const std::function<void(Results)>& deliver) {
+  const Scan& scan = request.scan;
+  Results first;
+  if (request.slicesFirst && scan.volume->data.size() > kQuickVolume) {
+    first = pipeline_.slices(scan, request.parameters, *request.slicesFirst, progress.part(0, 0.02));
+    if (first.slices[0]) deliver(first);
+  }
+  const auto coarse = [&](Preview level, const Progress& part) {
+    Results results = pipeline_.preview(scan, request.parameters, level, part);
+    results.slices = first.slices;
+    deliver(std::move(results));
+  };
+  coarse(Preview::quarter, progress.part(0.02, 0.05));
+  if (scan.volume->data.size() > kSlowVolume) coarse(Preview::half, progress.part(0.05, 0.1));
+}
+
 void Runner::runRequest(const Request& request) {
   const auto deliver = [this](Results results) {
     const std::lock_guard lock(mutex_);
@@ -118,9 +138,7 @@ void Runner::runRequest(const Request& request) {
     const Progress progress(sink_);
     if (request.previewFirst) {
       stageBegins("preview");
-      deliver(pipeline_.preview(request.scan, request.parameters, Preview::quarter, progress.part(0, 0.05)));
-      if (request.scan.volume->data.size() > kSlowVolume)
-        deliver(pipeline_.preview(request.scan, request.parameters, Preview::half, progress.part(0.05, 0.1)));
+      preview(request, progress, deliver);
     }
     deliver(pipeline_.run(request.scan, request.parameters, request.goal,
                           progress.part(request.previewFirst ? 0.1 : 0, 1), stageBegins));

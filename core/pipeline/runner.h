@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -19,7 +20,8 @@ class Runner {
     Scan scan;
     Parameters parameters;
     Goal goal = Goal::classified;
-    bool previewFirst = false;  // deliver a coarse classification before the full one
+    bool previewFirst = false;                // deliver a coarse classification before the full one
+    std::optional<glm::ivec3> slicesFirst{};  // and before that the slices through this voxel
   };
   struct Status {
     bool busy = false;
@@ -47,6 +49,7 @@ class Runner {
   void cancelAll();
   void work();
   void runRequest(const Request& request);
+  void preview(const Request& request, const Progress& progress, const std::function<void(Results)>& deliver);
 
   Pipeline pipeline_;  // touched by the worker only
   mutable std::mutex mutex_;

@@ -101,6 +101,22 @@ TEST(Runner, PreviewComesFirst) {
   EXPECT_EQ(runner.status().finished, 1u);
 }
 
+TEST(Runner, SlicesThatAreLookedAtComeBeforeThat) {
+  Runner runner;
+  auto r = request(160);
+  runner.submit(r);
+  untilIdle(runner);
+  r.parameters.classification.beta *= 1.5;
+  r.previewFirst = true;
+  r.slicesFirst = glm::ivec3(80);
+  runner.submit(r);
+  const auto results = untilIdle(runner);
+  ASSERT_GE(results.size(), 2u);
+  EXPECT_TRUE(results[0].slices[2]);
+  EXPECT_FALSE(results.back().slices[2]) << "the volume is there";
+  EXPECT_TRUE(results.back().classified);
+}
+
 TEST(Runner, CancelEndsTheRequestWithoutAnError) {
   Runner runner;
   runner.submit(request(128));

@@ -37,8 +37,8 @@ class Watch {
   Workspace& workspace() { return application_.workspace(); }
   Session& session() { return workspace().session; }
 
+  void request() { application_.requestFrame(); }
   void frame() {
-    application_.requestFrame();
     began_.reset();
     application_.frame();
     if (began_) milliseconds_.push_back(1000 * began_->seconds());
@@ -62,8 +62,8 @@ class Watch {
       if (milliseconds_.empty()) return 0.0;
       return milliseconds_[std::size_t(share * double(milliseconds_.size() - 1) + 0.5)];
     };
-    fmt::print("{:32} {:7.2f} s {:5} frames, ms {:5.0f} median {:5.0f} p99 {:5.0f} most {:6.0f} MB  {}\n", act,
-               seconds, milliseconds_.size(), at(0.5), at(0.99), at(1), residentMegabytes(), more);
+    fmt::print("{:32} {:7.2f} s {:5} frames, ms {:5.0f} median {:5.0f} p99 {:5.0f} most {:6.0f} MB  {}\n",
+               act, seconds, milliseconds_.size(), at(0.5), at(0.99), at(1), residentMegabytes(), more);
     std::fflush(stdout);
     milliseconds_.clear();
   }
@@ -93,6 +93,7 @@ void turn(Watch& watch, const std::string& act, double beta) {
   parameters.classification.beta = beta;
   const Timer timer;
   session.edit(parameters);
+  watch.request();
   const std::uint64_t before = session.revision();
   watch.until([&] { return session.revision() != before; });
   const double first = timer.seconds();
@@ -110,6 +111,7 @@ void orbit(Watch& watch, const std::string& act, double seconds) {
   for (; timer.seconds() < seconds; ++pictures) {
     watch.workspace().view.camera.orbit(0.03f, 0);
     watch.workspace().view.cameraMoved = true;
+    watch.request();
     watch.frame();
   }
   const double moving = timer.seconds();
@@ -132,13 +134,14 @@ void runSession(const std::optional<std::filesystem::path>& file) {
   Watch watch(application);
   watch.idle();
   watch.tell("start with the phantom", 0);
+  double beta = 1;  // another one for each turn: nothing is remembered
   for (int round = 0; round < 2; ++round) {
     openScan(watch, file);
     for (const SliceLayer layer : {SliceLayer::raw, SliceLayer::classified}) {
       watch.workspace().view.layer = layer;
-      watch.until([n = 0]() mutable { return ++n > 5; });
+      watch.until([&, n = 0]() mutable { return watch.request(), ++n > 5; });
       watch.tell(layer == SliceLayer::raw ? "raw slices" : "classified slices", 0);
-      for (const double beta : {1.2, 1.5}) turn(watch, "slider", beta);
+      for (int n = 0; n < 2; ++n) turn(watch, "slider", beta += 0.1);
     }
     orbit(watch, "orbit of the volume", 3);
     reconstruct(watch);
