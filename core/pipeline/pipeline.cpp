@@ -40,16 +40,23 @@ struct Pipeline::Memory {
   LiveSolver solver;
   std::array<LiveSolver, 2> previewSolvers{};  // by Preview
   SliceSolver sliceSolver{};
+
+  // forgetSolvers: gives the systems back that sliders are answered with.
+  void forgetSolvers();
 };
 
 Pipeline::Pipeline(std::size_t budget) : memory_(new Memory{ResultMemory(budget), {}}) {}
 Pipeline::~Pipeline() = default;
 
+void Pipeline::Memory::forgetSolvers() {
+  solver.forget();
+  for (LiveSolver& preview : previewSolvers) preview.forget();
+  sliceSolver.forget();
+}
+
 void Pipeline::forget() {
   memory_->results.forget();
-  memory_->solver.forget();
-  for (LiveSolver& solver : memory_->previewSolvers) solver.forget();
-  memory_->sliceSolver.forget();
+  memory_->forgetSolvers();
 }
 
 Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal, const Progress& progress,
@@ -59,6 +66,8 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
   results.keys = stageKeys(scan.key, scan.erasedKey, parameters);
   const StageShares shares = sharesOf(parameters);
   const bool hurried = goal != Goal::mesh;
+  // Who asks for the mesh has turned the sliders for now: their systems, 13 bytes a voxel, make room for the rest.
+  if (!hurried) memory_->forgetSolvers();
   memory_->results.beginRun(!hurried);
   const double whole = goal == Goal::levels       ? 1 / shares.prepared.until
                        : goal == Goal::classified ? 1 / shares.classified.until

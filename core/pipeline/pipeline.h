@@ -20,9 +20,9 @@ enum class Goal { levels, classified, points, surface, mesh };
 // Preview: voxels of twice or four times the size; long voxels grow less.
 enum class Preview { half, quarter };
 
-// kResultBytes: what a pipeline remembers, at most: a mesh, what moving sliders show beside it, and some of what was before,
-// of a scan of 30 million voxels.
-inline constexpr std::size_t kResultBytes = 640u << 20;
+// kResultBytes: what a pipeline remembers, at most: a mesh and what moving sliders show beside it, of a scan of 30 million
+// voxels; of smaller ones some of what was before, too.
+inline constexpr std::size_t kResultBytes = 320u << 20;
 
 // Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier
 // results so that a change of a parameter repeats only what depends on it. One thread at a time.

@@ -8,9 +8,10 @@
 namespace sonoskin {
 namespace {
 
-// Voxels to each side of a slice: what lies a smoothing length away counts e times less in it, and this is twice that.
+// Voxels to each side of a slice: what lies a smoothing length away counts e times less in it, and this is about twice that.
 int reachOf(const ClassificationOptions& options) {
-  return int(std::lround(std::clamp(2 * options.tangentialLength * std::sqrt(options.beta), 3.0, 10.0)));
+  const double length = options.tangentialLength * std::sqrt(options.beta);
+  return length < 2 ? 4 : length < 4 ? 7 : 10;  // few values: a slab is kept while beta is turned
 }
 
 // The grey at the edges as a part of the volume has it that begins at `first`.

@@ -40,6 +40,18 @@ void previewAfterSlider(benchmark::State& state) {
 }
 BENCHMARK(previewAfterSlider)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
+void slicesAfterSlider(benchmark::State& state) {
+  const Scan& scan = phantomInput();
+  Pipeline pipeline;
+  Parameters parameters;
+  pipeline.run(scan, parameters, Goal::classified);
+  for (auto _ : state) {
+    parameters.classification.alpha *= 1.001;
+    benchmark::DoNotOptimize(pipeline.slices(scan, parameters, scan.volume->geometry.dims / 2));
+  }
+}
+BENCHMARK(slicesAfterSlider)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
 void classificationAfterSlider(benchmark::State& state) {
   const Scan& scan = phantomInput();
   Pipeline pipeline;
