@@ -196,6 +196,13 @@ TEST(DicomFiles, PackedPixelsAreAsLargeAsTheFileSays) {
   expectError([] { readScan(file("jpeg_other_size")); }, "packed pixels of another size");
 }
 
+// Those take hardly any bytes.
+TEST(DicomFiles, BlankSlicesAreKept) {
+  const Scan scan = readScan(file("jpeg2000_blank"));
+  ASSERT_EQ(scan.volume->geometry.dims, glm::ivec3(512, 512, 3));
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(scan.volume->at(200, 100, k) > scan.volume->at(0, 0, 0), k == 1);
+}
+
 TEST(DicomFiles, ADirectoryListsTheVolumesOfItsFiles) {
   const fs::path folder = fs::path(SONOSKIN_TEST_DATA) / "dicom/file_set";
   for (const fs::path& path : {folder, folder / "DICOMDIR"}) {

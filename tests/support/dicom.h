@@ -41,6 +41,13 @@ struct DicomImage {
   bool paddingIsSigned = true;    // the type of the padding's elements follows the pixels'; else always US
 };
 
+// dicomItem: an item of a sequence with these elements.
+inline std::string dicomItem(const std::string& elements) {
+  std::string head("\xfe\xff\x00\xe0", 4);
+  for (int b = 0; b < 4; ++b) head += char(elements.size() >> (8 * b) & 255);
+  return head + elements;
+}
+
 // DicomBytes: elements one after another, little endian [DICOM PS3.5, 7.1.2, 7.1.3].
 class DicomBytes {
  public:
@@ -49,7 +56,7 @@ class DicomBytes {
     if (value.size() % 2 != 0) value += std::strcmp(type, "UI") == 0 ? '\0' : ' ';
     add16(group), add16(number);
     if (explicitTypes_) bytes += type;
-    const bool isLong = !std::strcmp(type, "OW") || !std::strcmp(type, "OB");
+    const bool isLong = !std::strcmp(type, "OW") || !std::strcmp(type, "OB") || !std::strcmp(type, "SQ");
     if (explicitTypes_ && isLong) add16(0);
     if (explicitTypes_ && !isLong)
       add16(std::uint16_t(value.size()));

@@ -10,6 +10,7 @@ import sys
 import tempfile
 
 import numpy as np
+import pydicom
 from PIL import Image
 from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
 from pydicom.encaps import encapsulate
@@ -262,9 +263,9 @@ def packed(pixels, syntax, pictures, photometric, **pieces):
     return ds
 
 
-def jpeg2000(picture):
+def jpeg2000(picture, boxed=False):
     out = io.BytesIO()
-    Image.fromarray(picture).save(out, "JPEG2000", irreversible=False, no_jp2=True)
+    Image.fromarray(picture).save(out, "JPEG2000", irreversible=False, no_jp2=not boxed)
     return out.getvalue()
 
 
@@ -321,6 +322,27 @@ def recoded(folder):
     run("dcmcrle", folder / "planes.dcm", folder / "rle_colour.dcm")
 
 
+def blank():
+    """Slices of one value take hardly any bytes."""
+    pixels = np.zeros((3, 512, 512), np.uint16)
+    pixels[1, 100, 200] = 1000
+    return packed(pixels, JPEG2000Lossless, [jpeg2000(p) for p in pixels], "MONOCHROME2")
+
+
+def contradicted(folder):
+    """Streams that are of other pixels than the file says."""
+    grey = smooth()
+    wide, large = grey.astype(np.uint16) * 200, [np.concatenate([p, p]) for p in grey]
+    streams = {"jpeg_other_size": (JPEGBaseline8Bit, [jpeg(p) for p in large]),
+               "jpeg2000_boxed_other_size": (JPEG2000Lossless, [jpeg2000(p, boxed=True) for p in large]),
+               "jpeg2000_called_8": (JPEG2000Lossless, [jpeg2000(p) for p in wide])}
+    save(folder, {name: packed(grey, syntax, s, "MONOCHROME2") for name, (syntax, s) in streams.items()})
+    for name in ("jpeg_lossless", "jpeg_ls"):
+        ds = pydicom.dcmread(folder / f"{name}.dcm")
+        ds.BitsAllocated, ds.BitsStored, ds.HighBit = 8, 8, 7
+        save(folder, {f"{name}_called_8": ds})
+
+
 # ---- a DICOMDIR with two series
 
 def file_set(folder):
@@ -364,9 +386,11 @@ def main():
     save(folder, named)
     recoded(folder)
     file_set(folder / "file_set")
-    large = [jpeg(np.concatenate([p, p])) for p in smooth()]
-    save(folder, {"enhanced_us_index": enhanced_us_index(),
-                  "jpeg_other_size": packed(smooth(), JPEGBaseline8Bit, large, "MONOCHROME2")})
+    save(folder, {"enhanced_us_index": enhanced_us_index()})
+    contradicted(folder)
+    boxed = [jpeg2000(p, boxed=True) for p in smooth()]
+    save(folder, {"jpeg2000_boxed": packed(smooth(), JPEG2000Lossless, boxed, "MONOCHROME2"),
+                  "jpeg2000_blank": blank()})
 
 
 if __name__ == "__main__":

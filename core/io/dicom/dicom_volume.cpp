@@ -71,6 +71,17 @@ std::uintmax_t bytesOf(const DicomFiles& files, const DicomVolume& volume) {
   return bytes;
 }
 
+// A blank slice may be packed into next to nothing, but a scan is not blank as a whole.
+void checkPacked(const DicomFiles& files, const DicomVolume& volume, const LoadedVolume& loaded,
+                 const fs::path& path) {
+  constexpr std::uintmax_t kSmall = 64u << 20, kMostPacked = 1032;
+  const bool isPacked = files.files[std::size_t(volume.frames.front().file)].pixels.isPacked();
+  const StoredVolume& s = loaded.stored;
+  const std::uintmax_t bytes = s.geometry.voxels() * std::size_t(s.components) * numberTypeBytes(s.type);
+  require(!isPacked || bytes <= kSmall || bytes / kMostPacked <= loaded.bytes,
+          "{} declares far more pixels than it can hold; get a fresh copy.", path.string());
+}
+
 // Zero is black in ultrasound, and nothing was recorded there.
 void blankOutside(const DicomRegion& region, const DicomFrame& frame, std::size_t pixelBytes,
                   std::uint8_t* out) {
@@ -95,6 +106,7 @@ LoadedVolume readDicomVolume(const DicomFiles& files, const DicomVolume& volume,
       std::span(volume.frames).subspan(slices * std::size_t(options.time - 1), slices);
   loaded.stored.padding = paddingsOf(files, frames);
   checkGeometry(loaded.stored, path);
+  checkPacked(files, volume, loaded, path);
   const std::size_t bytes = loaded.stored.geometry.voxels() / slices * std::size_t(loaded.stored.components) *
                             numberTypeBytes(loaded.stored.type);
   loaded.numbers.resize(bytes * slices);
