@@ -193,8 +193,15 @@ TEST(DicomFiles, JpegSaysItsColoursItself) {
 
 // What GDCM would read beyond its end.
 TEST(DicomFiles, PackedPixelsAreAsLargeAsTheFileSays) {
-  expectError([] { readScan(file("jpeg_other_size")); }, "packed pixels of another size");
+  for (const char* name : {"jpeg_other_size", "jpeg2000_boxed_other_size", "jpeg2000_called_8",
+                           "jpeg_lossless_called_8", "jpeg_ls_called_8"}) {
+    SCOPED_TRACE(name);
+    expectError([&] { readScan(file(name)); }, "packed pixels of another size");
+  }
 }
+
+// Many programs put the whole of a JP2 file into a frame.
+TEST(DicomFiles, Jpeg2000MayLieInBoxes) { expectSmooth("jpeg2000_boxed", 255, 1e-3); }
 
 // Those take hardly any bytes.
 TEST(DicomFiles, BlankSlicesAreKept) {

@@ -16,8 +16,12 @@ namespace sonoskin {
 std::vector<std::uint8_t> unpackFrame(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed,
                                       const std::filesystem::path& path);
 
-// streamFits: whether a packed frame is of the size and number of colours that the file tells, as far as it tells itself: GDCM
-// takes that for granted, and reads or writes beyond the end where it is not so.
+// unboxed: the stream of JPEG 2000 alone where a frame has the boxes of a JP2 file around it [ITU-T T.800, I.5.4], so that what
+// these say, such as a palette, is not applied; any other frame as it is.
+std::vector<std::uint8_t> unboxed(std::vector<std::uint8_t> packed);
+
+// streamFits: whether a packed frame is of the size and number of colours that the file tells, in no more bits than it has for
+// them: GDCM takes that for granted, and reads or writes beyond the end where it is not so. RLE does not tell, and fits.
 bool streamFits(const DicomPixels& pixels, const std::vector<std::uint8_t>& packed);
 
 // streamColour: what the samples of a packed frame are: a JPEG stream says more than the file around it, which calls YCbCr

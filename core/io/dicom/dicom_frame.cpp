@@ -141,9 +141,12 @@ Values pixelValues(DicomSource& source, const DicomPixels& p, int frame) {
   std::vector<std::uint8_t> bytes;
   DicomColour colour = p.colour;
   if (p.isPacked()) {
-    const auto packed = packedFrame(source, p, frame);
-    require(streamFits(p, packed), "{} has packed pixels of another size than it says; get a fresh copy.",
-            source.path().string());
+    const auto packed = unboxed(packedFrame(source, p, frame));
+    require(
+        streamFits(p, packed),
+        "{} has packed pixels of another size or number of bits than it says, or packed in a way that is not "
+        "known here; get a fresh copy, or save it unpacked.",
+        source.path().string());
     colour = streamColour(p, packed);
     bytes = unpackFrame(p, packed, source.path());
   } else {

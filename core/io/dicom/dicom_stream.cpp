@@ -1,4 +1,4 @@
-// What a packed frame says of its colours itself.
+// What a packed frame says of its size and colours itself.
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -21,6 +21,7 @@ void eachSegment(Bytes stream, const Look& look) {
       ++at;
       continue;
     }
+    if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD9)) return;  // without a length: none is due here
     const std::size_t length = std::size_t(stream[at + 2]) << 8 | stream[at + 3];
     if (length < 2 || at + 2 + length > stream.size()) return;
     if (look(marker, stream.subspan(at + 4, length - 2))) return;
@@ -80,6 +81,41 @@ bool mixesComponents(Bytes stream) {
   return mixes;
 }
 
+// StreamSize: what a stream tells of its pixels; `bits` of the widest sample.
+struct StreamSize {
+  unsigned width = 0, height = 0, samples = 0, bits = 0;
+};
+
+std::optional<StreamSize> jpegSize(Bytes stream) {
+  const Frame frame = frameOf(stream);
+  if (frame.content.size() < 6) return {};
+  return StreamSize{frame.word(3), frame.word(1), frame.content[5], frame.content[0]};
+}
+
+std::uint64_t bigEndian(Bytes bytes, std::size_t at, std::size_t count) {
+  std::uint64_t number = 0;
+  for (std::size_t b = 0; b < count; ++b) number = number << 8 | bytes[at + b];
+  return number;
+}
+
+// The first segment is the size [ITU-T T.800, A.5.1]. Nothing where samples lie farther apart than pixels.
+std::optional<StreamSize> jpeg2000Size(Bytes stream) {
+  std::optional<StreamSize> size;
+  eachSegment(stream, [&](unsigned marker, Bytes content) {
+    if (marker != 0x51 || content.size() < 36) return true;
+    const auto number = [&](std::size_t at) { return unsigned(bigEndian(content, at, 4)); };
+    StreamSize found{number(2) - number(10), number(6) - number(14), unsigned(bigEndian(content, 34, 2))};
+    if (content.size() != 36 + 3 * std::size_t(found.samples)) return true;
+    for (std::size_t c = 36; c < content.size(); c += 3) {
+      found.bits = std::max(found.bits, (content[c] & 0x7Fu) + 1);
+      if (content[c + 1] != 1 || content[c + 2] != 1) return true;
+    }
+    size = found;
+    return true;
+  });
+  return size;
+}
+
 }  // namespace
 
 DicomColour streamColour(const DicomPixels& p, const std::vector<std::uint8_t>& packed) {
@@ -90,27 +126,32 @@ DicomColour streamColour(const DicomPixels& p, const std::vector<std::uint8_t>& 
   return told;
 }
 
-bool streamFits(const DicomPixels& p, const std::vector<std::uint8_t>& packed) {
-  if (packed.size() < 4 || packed[0] != 0xFF) return true;
-  unsigned width = 0, height = 0, samples = 0;
-  if (packed[1] == 0xD8) {
-    const Frame frame = frameOf(packed);
-    if (frame.content.size() < 6) return false;
-    height = frame.word(1), width = frame.word(3), samples = frame.content[5];
-  } else {
-    eachSegment(packed, [&](unsigned marker, Bytes content) {
-      if (marker != 0x51 || content.size() < 36)
-        return true;  // the first one is the size [ITU-T T.800, A.5.1]
-      const auto number = [&](std::size_t at) {
-        return unsigned(content[at]) << 24 | unsigned(content[at + 1]) << 16 |
-               unsigned(content[at + 2]) << 8 | content[at + 3];
-      };
-      width = number(2) - number(10), height = number(6) - number(14);
-      samples = unsigned(content[34]) << 8 | content[35];
-      return true;
-    });
+std::vector<std::uint8_t> unboxed(std::vector<std::uint8_t> packed) {
+  constexpr std::string_view kSignature{"\0\0\0\x0CjP  ", 8};
+  if (!begins(packed, kSignature)) return packed;
+  std::size_t at = 0;
+  while (packed.size() - at >= 16) {
+    std::uint64_t length = bigEndian(packed, at, 4), head = 8;
+    if (length == 1) length = bigEndian(packed, at + 8, 8), head = 16;
+    if (length == 0) length = packed.size() - at;
+    if (length < head || length > packed.size() - at) break;
+    if (begins(Bytes(packed).subspan(at + 4), "jp2c")) {
+      const auto from = packed.begin() + std::ptrdiff_t(at);
+      return {from + std::ptrdiff_t(head), from + std::ptrdiff_t(length)};
+    }
+    at += length;
   }
-  return width == unsigned(p.columns) && height == unsigned(p.rows) && samples == unsigned(p.samples);
+  return packed;
+}
+
+bool streamFits(const DicomPixels& p, const std::vector<std::uint8_t>& packed) {
+  if (p.syntax == "1.2.840.10008.1.2.5") return true;  // RLE, which does not tell
+  if (packed.size() < 4 || packed[0] != 0xFF) return false;
+  const std::optional<StreamSize> size = packed[1] == 0xD8   ? jpegSize(packed)
+                                         : packed[1] == 0x4F ? jpeg2000Size(packed)
+                                                             : std::nullopt;
+  return size && size->width == unsigned(p.columns) && size->height == unsigned(p.rows) &&
+         size->samples == unsigned(p.samples) && size->bits <= unsigned(p.allocated);
 }
 
 }  // namespace sonoskin
