@@ -5,6 +5,7 @@
 #include "core/io/dicom/dicom_makers.h"
 #include "core/io/dicom/dicom_sweep.h"
 #include "core/io/file_bytes.h"
+#include "core/io/scanners/kretz_file.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -64,14 +65,17 @@ std::optional<std::string> DicomCollector::lastSlice() const {
 
 void DicomCollector::addPictures(const DicomDataSet& set, DicomSource& source) {
   DicomFile& file = found_.files.back();
-  if (const DicomElement* kretz = set.root.find(tag::kKretzFile)) {
-    file.kretz = {kretz->offset, kretz->length};
-    push(std::vector<DicomVolume>(1));
+  const DicomElement* kretz = set.root.find(tag::kKretzFile);
+  if (kretz && kretz->length > 0) {
+    addKretz(*kretz, source);
     return;
   }
   auto own = makersPixels(set.root);
   file.pixels = own ? std::move(*own) : pixelsOf(set, source);
-  const DicomSpacing spacing = spacingOf(set.root);
+  DicomSpacing spacing = spacingOf(set.root);
+  if (kretz)
+    spacing.warnings.push_back(
+        "The file has room for a Kretz file within it, but nothing is there; its pictures are read.");
   file.region = spacing.region;
   warnings_.back() = spacing.warnings;
   if (auto makers = makersVolume(set.root, file.pixels, path_)) {
@@ -84,6 +88,15 @@ void DicomCollector::addPictures(const DicomDataSet& set, DicomSource& source) {
     slices_.push_back(frames.front());
   else
     addFrames(set.root, std::move(frames), spacing);
+}
+
+// What no one can read is told now, so that it does not stand in the way of others.
+void DicomCollector::addKretz(const DicomElement& element, DicomSource& source) {
+  const VolumeEntry entry = kretzEntry(source.view(element.offset, element.length), path_);
+  found_.files.back().kretz = {element.offset, element.length};
+  DicomVolume volume;
+  volume.geometry.dims = entry.dims, volume.timeSteps = entry.timeSteps;
+  push({std::move(volume)});
 }
 
 void DicomCollector::addFrames(const DicomItem& root, std::vector<DicomFrame> frames,

@@ -52,6 +52,7 @@ class DicomCollector {
 
  private:
   void addPictures(const DicomDataSet& set, DicomSource& source);
+  void addKretz(const DicomElement& element, DicomSource& source);
   void addFrames(const DicomItem& root, std::vector<DicomFrame> frames, const DicomSpacing& spacing);
   void push(std::vector<DicomVolume> volumes);
 

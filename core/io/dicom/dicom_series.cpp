@@ -19,30 +19,20 @@ bool isKretz(const DicomFiles& files, const DicomVolume& volume) {
   return files.files[std::size_t(volume.file)].kretz.second > 0;
 }
 
-std::vector<std::uint8_t> kretzBytes(const DicomFiles& files, const DicomVolume& volume,
-                                     const fs::path& path) {
-  const DicomFile& file = files.files[std::size_t(volume.file)];
-  return file.open(path).read(file.kretz.first, file.kretz.second);
-}
-
 LoadedVolume readKretz(const DicomFiles& files, const DicomVolume& volume, const ReadOptions& options,
                        const fs::path& path) {
-  LoadedVolume loaded = kretzVolume(kretzBytes(files, volume, path), options, path);
+  const DicomFile& file = files.files[std::size_t(volume.file)];
+  DicomSource source = file.open(path);
+  LoadedVolume loaded = kretzVolume(source.view(file.kretz.first, file.kretz.second), options, path);
   loaded.stored.format = "GE Kretz in DICOM";
-  loaded.bytes = files.files[std::size_t(volume.file)].bytes;
+  loaded.bytes = file.bytes;
   return loaded;
 }
 
-VolumeEntry entryOf(const DicomFiles& files, const DicomVolume& volume, const fs::path& path) {
-  if (!isKretz(files, volume))
-    return {straightened(volume.geometry, volume.shift), volume.timeSteps, volume.modality};
-  const StoredVolume stored = readKretz(files, volume, {}, path).stored;
-  return {stored.geometry.dims, stored.timeSteps, stored.modality};
-}
-
-std::vector<VolumeEntry> entriesOf(const DicomFiles& files, const fs::path& path) {
+std::vector<VolumeEntry> entriesOf(const DicomFiles& files) {
   std::vector<VolumeEntry> entries;
-  for (const DicomVolume& volume : files.volumes) entries.push_back(entryOf(files, volume, path));
+  for (const DicomVolume& volume : files.volumes)
+    entries.push_back({straightened(volume.geometry, volume.shift), volume.timeSteps, volume.modality});
   return entries;
 }
 
@@ -55,11 +45,11 @@ const DicomVolume& chosen(const DicomFiles& files, const ReadOptions& options, c
   if (volumes.size() == 1) return volumes.front();
   if (std::ranges::count_if(volumes, &DicomVolume::isTissue) == 1) {
     log(LogLevel::info, fmt::format("The scan holds {} volumes: {}; that of tissue is used.", volumes.size(),
-                                    entriesText(entriesOf(files, path))));
+                                    entriesText(entriesOf(files))));
     return *std::ranges::find_if(volumes, &DicomVolume::isTissue);
   }
   throw Error(fmt::format("{} holds {} volumes: {}; choose one with scan.volume.", path.string(),
-                          volumes.size(), entriesText(entriesOf(files, path))));
+                          volumes.size(), entriesText(entriesOf(files))));
 }
 
 void say(const DicomFiles& files, const DicomVolume& volume, bool regionOnly) {
@@ -88,10 +78,11 @@ bool isDicom(const fs::path& path) { return beginsAs(FileFormat::dicom, readByte
 
 std::vector<VolumeEntry> dicomVolumes(const fs::path& path, const Progress& progress) {
   const DicomFiles files = dicomFiles(path, progress);
-  if (files.volumes.size() > 1) return entriesOf(files, path);
-  if (isKretz(files, files.volumes.front()))
-    return kretzVolumes(kretzBytes(files, files.volumes.front(), path), path);
-  return {};
+  if (files.volumes.size() > 1) return entriesOf(files);
+  const DicomFile& file = files.files[std::size_t(files.volumes.front().file)];
+  if (file.kretz.second == 0) return {};
+  DicomSource source = file.open(path);
+  return kretzVolumes(source.view(file.kretz.first, file.kretz.second), path);
 }
 
 LoadedVolume readDicomSeries(const fs::path& path, const ReadOptions& options, const Progress& progress) {

@@ -1,5 +1,8 @@
 #include "core/io/dicom/dicom_source.h"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -47,8 +50,13 @@ class Inflater {
 }  // namespace
 
 DicomSource::DicomSource(const fs::path& file, const fs::path& named)
-    : path_(named), file_(file, std::ios::binary), size_(fileSize(file)) {
+    : onDisk_(file), path_(named), file_(file, std::ios::binary), size_(fileSize(file)) {
   require(bool(file_), "The file {} may not be read; check its permissions.", path_.string());
+}
+
+void DicomSource::check(std::uint64_t offset, std::uint64_t length) const {
+  require(offset <= size_ && length <= size_ - offset,
+          "{} ends within an element; the copy is incomplete, get a fresh one.", path_.string());
 }
 
 void DicomSource::fill(std::uint64_t offset) {
@@ -62,8 +70,7 @@ void DicomSource::fill(std::uint64_t offset) {
 }
 
 void DicomSource::read(std::uint64_t offset, std::uint64_t length, std::uint8_t* out) {
-  require(offset <= size_ && length <= size_ - offset,
-          "{} ends within an element; the copy is incomplete, get a fresh one.", path_.string());
+  check(offset, length);
   if (length == 0) return;
   if (!inflated_.empty() && offset >= inflatedAt_) {
     std::memcpy(out, inflated_.data() + (offset - inflatedAt_), length);
@@ -82,11 +89,31 @@ void DicomSource::read(std::uint64_t offset, std::uint64_t length, std::uint8_t*
 }
 
 std::vector<std::uint8_t> DicomSource::read(std::uint64_t offset, std::uint64_t length) {
-  require(offset <= size_ && length <= size_ - offset,
-          "{} ends within an element; the copy is incomplete, get a fresh one.", path_.string());
+  check(offset, length);
   std::vector<std::uint8_t> bytes(length);
   read(offset, length, bytes.data());
   return bytes;
+}
+
+std::span<const std::uint8_t> DicomSource::view(std::uint64_t offset, std::uint64_t length) {
+  check(offset, length);
+  if (length == 0) return {};
+  if (!inflated_.empty() && offset >= inflatedAt_)
+    return std::span(inflated_).subspan(offset - inflatedAt_, length);
+  if (!mapped_) map();
+  return {mapped_.get() + offset, std::size_t(length)};
+}
+
+void DicomSource::map() {
+  const std::size_t bytes = fileSize(onDisk_);
+  const int file = ::open(onDisk_.c_str(), O_RDONLY | O_CLOEXEC);
+  void* found = file < 0 ? MAP_FAILED : ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, file, 0);
+  if (file >= 0) ::close(file);
+  require(found != MAP_FAILED && bytes >= size_,
+          "The file {} cannot be mapped into memory; copy it to another disk.", path_.string());
+  mapped_ =
+      std::shared_ptr<const std::uint8_t>(static_cast<const std::uint8_t*>(found),
+                                          [found, bytes](const std::uint8_t*) { ::munmap(found, bytes); });
 }
 
 void DicomSource::inflate(std::uint64_t offset) {

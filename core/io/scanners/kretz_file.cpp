@@ -102,6 +102,14 @@ std::uint64_t numbersOf(const glm::ivec3& dims) {
   return std::uint64_t(dims.x) * std::uint64_t(dims.y) * std::uint64_t(dims.z);
 }
 
+VolumeEntry entryOf(const KretzRecords& records, int v) {
+  VolumeEntry entry;
+  entry.dims = kretzDims(records, v);
+  entry.timeSteps = voxelsIn(records, v, numbersOf(entry.dims)).timeSteps;
+  entry.modality = "US";
+  return entry;
+}
+
 }  // namespace
 
 LoadedVolume kretzVolume(std::span<const std::uint8_t> file, const ReadOptions& options,
@@ -132,13 +140,17 @@ std::vector<VolumeEntry> kretzVolumes(std::span<const std::uint8_t> file, const 
   const std::vector<int> volumes = volumesOf(records);
   if (volumes.size() < 2) return entries;
   for (const int v : volumes) {
-    VolumeEntry entry;
-    entry.dims = kretzDims(records, v);
-    entry.timeSteps = voxelsIn(records, v, numbersOf(entry.dims)).timeSteps;
-    entry.modality = fmt::format("US, {}", contentOf(v));
+    VolumeEntry entry = entryOf(records, v);
+    entry.modality += fmt::format(", {}", contentOf(v));
     entries.push_back(entry);
   }
   return entries;
+}
+
+VolumeEntry kretzEntry(std::span<const std::uint8_t> file, const fs::path& path) {
+  const KretzRecords records(file, path);
+  refusePacked(records);
+  return entryOf(records, volumesOf(records).front());
 }
 
 LoadedVolume readKretzFile(const fs::path& path, const ReadOptions& options, const Progress& progress) {

@@ -29,7 +29,12 @@ LoadedVolume kretzVolume(std::span<const std::uint8_t> file, const ReadOptions& 
 //   errors   as kretzVolume
 std::vector<VolumeEntry> kretzVolumes(std::span<const std::uint8_t> file, const std::filesystem::path& path);
 
-// readKretzFile: the same of a file on disk.
+// kretzEntry: the volume that is read of a file where none is chosen, by its records alone: of a file that is mapped into memory
+// the voxels stay on the disk.
+//   errors   as kretzVolume, but for a grid that cannot be one
+VolumeEntry kretzEntry(std::span<const std::uint8_t> file, const std::filesystem::path& path);
+
+// readKretzFile: kretzVolume of a file on disk.
 LoadedVolume readKretzFile(const std::filesystem::path& path, const ReadOptions& options,
                            const Progress& progress = {});
 
