@@ -76,7 +76,7 @@ void DicomCollector::addPictures(const DicomDataSet& set, DicomSource& source) {
   if (kretz)
     spacing.warnings.push_back(
         "The file has room for a Kretz file within it, but nothing is there; its pictures are read.");
-  file.region = spacing.region;
+  if (!own) file.region = spacing.region;  // which is of the pictures that own voxels are not
   warnings_.back() = spacing.warnings;
   if (auto makers = makersVolume(set.root, file.pixels, path_)) {
     push({std::move(*makers)});
@@ -120,7 +120,6 @@ void DicomCollector::push(std::vector<DicomVolume> volumes) {
   for (DicomVolume& volume : volumes) {
     volume.file = int(found_.files.size()) - 1;
     volume.modality = modalities_.back();
-    volume.region = found_.files.back().region;
     for (DicomFrame& frame : volume.frames) frame.file = volume.file;
     found_.volumes.push_back(std::move(volume));
   }
@@ -130,7 +129,6 @@ DicomFiles DicomCollector::finish() {
   for (DicomVolume& volume : stacksOf(slices_, path_)) {
     const std::size_t file = std::size_t(volume.file);
     volume.format = "DICOM series", volume.modality = modalities_[file];
-    volume.region = found_.files[file].region;
     append(volume.warnings, warnings_[file]);
     found_.volumes.push_back(std::move(volume));
   }

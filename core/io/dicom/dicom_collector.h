@@ -11,6 +11,7 @@
 namespace sonoskin {
 
 // DicomFile: one file, as far as its header tells.
+//   region       of its own frames
 //   kretz        where a whole GE Kretz file lies in it, offset and length; 0 bytes: none does
 //   inflatedAt   from where on it is to be unpacked as a whole; 0: it is not
 //   hasBurnedIn  text in its pictures, by its own word

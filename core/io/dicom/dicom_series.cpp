@@ -52,6 +52,31 @@ const DicomVolume& chosen(const DicomFiles& files, const ReadOptions& options, c
                           volumes.size(), entriesText(entriesOf(files))));
 }
 
+// What is burnt in, and whether it is blanked.
+void sayOfRegions(const DicomFiles& files, const DicomVolume& volume, bool regionOnly) {
+  const auto fileOf = [&](const DicomFrame& frame) -> const DicomFile& {
+    return files.files[std::size_t(frame.file)];
+  };
+  const bool burned = std::ranges::any_of(volume.frames, &DicomFile::hasBurnedIn, fileOf);
+  const auto silent =
+      std::ranges::count_if(volume.frames, [&](const DicomFrame& frame) { return !fileOf(frame).region; });
+  const bool told = silent < std::ssize(volume.frames);
+  if (regionOnly && !told)
+    log(LogLevel::warning,
+        "The file does not say where in its frames the picture lies, so that nothing is blanked.");
+  if (regionOnly && told && silent > 0)
+    log(LogLevel::warning,
+        fmt::format(
+            "Where the picture lies in {} of {} frames is not told; they are blanked outside of where "
+            "the others have it.",
+            silent, volume.frames.size()));
+  if (burned && !(regionOnly && told))
+    log(LogLevel::warning,
+        fmt::format("The file says that text is burnt into its pictures, which may name the patient; {}.",
+                    told ? "scan.regionOnly blanks all outside of the picture itself"
+                         : "look at the slices before you pass pictures on"));
+}
+
 void say(const DicomFiles& files, const DicomVolume& volume, bool regionOnly) {
   for (const std::string& warning : volume.warnings) log(LogLevel::warning, warning);
   if (volume.shift != glm::dvec2(0))
@@ -59,17 +84,7 @@ void say(const DicomFiles& files, const DicomVolume& volume, bool regionOnly) {
         fmt::format("Each slice lies {:.4g} mm across the one before, as under a tilted gantry; they are put "
                     "onto a straight grid, with linear weights.",
                     glm::length(volume.shift)));
-  const bool burned = std::ranges::any_of(volume.frames, [&](const DicomFrame& frame) {
-    return files.files[std::size_t(frame.file)].hasBurnedIn;
-  });
-  if (regionOnly && !volume.region)
-    log(LogLevel::warning,
-        "The file does not say where in its frames the picture lies, so that nothing is blanked.");
-  if (burned && !(regionOnly && volume.region))
-    log(LogLevel::warning,
-        fmt::format("The file says that text is burnt into its pictures, which may name the patient; {}.",
-                    volume.region ? "scan.regionOnly blanks all outside of the picture itself"
-                                  : "look at the slices before you pass pictures on"));
+  sayOfRegions(files, volume, regionOnly);
 }
 
 }  // namespace

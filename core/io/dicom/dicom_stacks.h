@@ -27,7 +27,6 @@ struct DicomVolume {
   double stepSeconds = 0;  // 0: not told
   std::string format = "DICOM", modality;
   std::optional<Beam> beam;
-  std::optional<DicomRegion> region;
   std::vector<std::string> warnings;
   std::optional<Error> refusal;
   int file = 0;  // of the files at hand, the first one that it is of

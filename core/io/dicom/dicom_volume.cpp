@@ -96,6 +96,18 @@ void blankOutside(const DicomRegion& region, const DicomFrame& frame, std::size_
 
 }  // namespace
 
+std::optional<DicomRegion> commonRegion(const DicomFiles& files, const DicomVolume& volume) {
+  std::optional<DicomRegion> common;
+  for (const DicomFrame& frame : volume.frames) {
+    const auto& own = files.files[std::size_t(frame.file)].region;
+    if (own && common)
+      common->least = glm::min(common->least, own->least), common->most = glm::max(common->most, own->most);
+    else if (own)
+      common = own;
+  }
+  return common;
+}
+
 LoadedVolume readDicomVolume(const DicomFiles& files, const DicomVolume& volume, const ReadOptions& options,
                              const Progress& progress, const fs::path& path) {
   LoadedVolume loaded;
@@ -110,6 +122,7 @@ LoadedVolume readDicomVolume(const DicomFiles& files, const DicomVolume& volume,
   const std::size_t bytes = loaded.stored.geometry.voxels() / slices * std::size_t(loaded.stored.components) *
                             numberTypeBytes(loaded.stored.type);
   loaded.numbers.resize(bytes * slices);
+  const std::optional<DicomRegion> common = commonRegion(files, volume);
   std::optional<DicomSource> source;
   for (std::size_t s = 0, open = 0; s < slices; ++s) {
     progress.update(double(s) / double(slices));
@@ -120,8 +133,9 @@ LoadedVolume readDicomVolume(const DicomFiles& files, const DicomVolume& volume,
     }
     readFrame(*source, files.files[open].pixels, frame.index, frame.scale, loaded.stored.type,
               loaded.numbers.data() + s * bytes);
-    if (options.regionOnly && volume.region)
-      blankOutside(*volume.region, frame, bytes / (std::size_t(frame.size.x) * std::size_t(frame.size.y)),
+    if (const auto region = files.files[open].region ? files.files[open].region : common;
+        options.regionOnly && region)
+      blankOutside(*region, frame, bytes / (std::size_t(frame.size.x) * std::size_t(frame.size.y)),
                    loaded.numbers.data() + s * bytes);
   }
   return loaded;
