@@ -247,6 +247,42 @@ TEST(DicomSeries, TimesAreSteps) {
   }
 }
 
+// Only those that lie where the others do; of each that does not, what is wrong with it is told.
+TEST(DicomSeries, TimesOfOtherPlacesAreVolumes) {
+  for (const int uneven : {0, 1}) {
+    for (const glm::dvec3 off : {glm::dvec3(0, 0, 7.3), glm::dvec3(3, 0, 6)}) {
+      const Folder folder;
+      for (int t = 0; t < 2; ++t)
+        folder.series(
+            6,
+            [&](DicomImage& image, int k) {
+              image.others.push_back({0x20, 0x100, "IS", std::to_string(t + 1)});
+              image.number += 10 * t;
+              if (t == uneven && k == 3) image.position = place(off);
+            },
+            t == 0 ? "a" : "b");
+      const char* reason = off.x > 0 ? "shifted against each other" : "not evenly spaced: 0.7 to 3.3 mm";
+      expectError([&] { readScan(folder.path()); }, "1: 12 x 10 x 6, CT; 2: 12 x 10 x 6, CT; choose");
+      expectRamp(loadVolume(folder.path(), {2 - uneven}));
+      expectError([&] { readScan(folder.path(), {1 + uneven}); }, reason);
+    }
+  }
+}
+
+TEST(DicomSeries, TimesThatAreUnevenAlikeAreRefusedForThat) {
+  const Folder folder;
+  for (int t = 0; t < 2; ++t)
+    folder.series(
+        6,
+        [&](DicomImage& image, int k) {
+          image.others.push_back({0x20, 0x100, "IS", std::to_string(t + 1)});
+          image.number += 10 * t;
+          if (k == 3) image.position = place({0, 0, 7.3});
+        },
+        t == 0 ? "a" : "b");
+  expectError([&] { readScan(folder.path(), {0, 2}); }, "not evenly spaced");
+}
+
 // Other pictures of the same places, such as echoes, are volumes of their own; so are acquisitions elsewhere.
 TEST(DicomSeries, OtherPicturesAreVolumes) {
   const Folder echoes, apart;

@@ -190,18 +190,26 @@ class Stacker {
     DicomVolume& all = steps.front();
     all.timeSteps = int(steps.size());
     all.stepSeconds = secondsBetween(steps, mark);
-    for (std::size_t s = 1; s < steps.size(); ++s)
+    for (std::size_t s = 1; s < steps.size(); ++s) {
       std::ranges::copy(steps[s].frames, std::back_inserter(all.frames));
+      addNew(steps[s].warnings, all.warnings);
+    }
     volumes.push_back(std::move(all));
     return true;
   }
+  // Slice by slice, as those of one step may lie unevenly where those of another do not.
   static bool liesAs(const DicomVolume& a, const DicomVolume& b) {
-    const Geometry &g = a.geometry, &h = b.geometry;
-    const double near = 0.1 * h.minSpacing();
-    return g.dims == h.dims && glm::length(g.origin - h.origin) <= near &&
-           double(g.dims.z) * std::abs(g.spacing.z - h.spacing.z) <= near;
+    const double near = 0.1 * b.geometry.minSpacing();
+    const auto isNear = [&](const DicomFrame& f, const DicomFrame& g) {
+      return glm::length(*f.position - *g.position) <= near;
+    };
+    return a.refusal.has_value() == b.refusal.has_value() && std::ranges::equal(a.frames, b.frames, isNear);
   }
-  // Triggers are in milliseconds; the standard's offsets in time, too [C.7.6.16.2.22].
+  static void addNew(const std::vector<std::string>& warnings, std::vector<std::string>& to) {
+    for (const std::string& warning : warnings)
+      if (std::ranges::find(to, warning) == to.end()) to.push_back(warning);
+  }
+  // Triggers are in milliseconds. Of all other marks nobody knows the unit here: the same one may be a time or a count.
   static double secondsBetween(const std::vector<DicomVolume>& steps, DicomMark mark) {
     const double first = steps[0].frames[0].mark(mark), last = steps.back().frames[0].mark(mark);
     const double each = (last - first) / double(steps.size() - 1) / 1000;
