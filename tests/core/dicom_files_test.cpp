@@ -8,6 +8,7 @@
 #include "core/io/volume_loader.h"
 #include "core/io/volume_reader.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin {
 namespace {
@@ -216,6 +217,27 @@ TEST(DicomFiles, ADirectoryListsTheVolumesOfItsFiles) {
     EXPECT_EQ(entriesText(dicomVolumes(path)), "1: 5 x 4 x 4, CT; 2: 5 x 4 x 3, CT");
     expectError([&] { readScan(path); }, "choose one with scan.volume");
     expectVoxels(loadVolume(path, {2}));
+  }
+}
+
+// As where files were gathered from a disc without their folders.
+TEST(DicomFiles, ADirectoryThatIsOutOfDateDoesNotHideTheFilesBesideIt) {
+  const fs::path folder = fs::path(SONOSKIN_TEST_DATA) / "dicom/file_set";
+  for (const bool damaged : {false, true}) {
+    const test::TempFolder flat;
+    fs::copy_file(folder / "DICOMDIR", flat / "DICOMDIR");
+    if (damaged) fs::resize_file(flat / "DICOMDIR", 400);
+    if (!damaged) expectError([&] { readScan(flat / "DICOMDIR"); }, "names no files that are there");
+    int copied = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file() && entry.path().filename() != "DICOMDIR")
+        fs::copy_file(entry.path(), flat / fmt::format("copy{}", ++copied));
+    ASSERT_EQ(copied, 7);
+    for (const fs::path& path : {flat.path(), flat / "DICOMDIR"}) {
+      const LogRecord record;
+      expectVoxels(loadVolume(path, {2}));
+      EXPECT_NE(warnings(record).find("those beside it are taken"), std::string::npos);
+    }
   }
 }
 

@@ -51,9 +51,16 @@ fs::path named(std::string text, const fs::path& folder) {
   return {};
 }
 
-Paths filesOfDirectory(const fs::path& directory, const fs::path& path, DicomFiles& files) {
+// Nothing where it is damaged.
+DicomDataSet readDirectory(const fs::path& directory, const fs::path& path) try {
   DicomSource source(directory, path);
-  const DicomDataSet set = readDataSet(source);
+  return readDataSet(source);
+} catch (const Error&) {
+  return {};
+}
+
+Paths filesOfDirectory(const fs::path& directory, const fs::path& path, DicomFiles& files) {
+  const DicomDataSet set = readDirectory(directory, path);
   const fs::path folder = directory.has_parent_path() ? directory.parent_path() : fs::path(".");
   Paths found;
   std::size_t missing = 0;
@@ -64,12 +71,27 @@ Paths filesOfDirectory(const fs::path& directory, const fs::path& path, DicomFil
     if (!file.empty()) found.push_back(std::move(file));
     checkCount(found.size(), path);
   }
-  require(!found.empty(), "{} names no files that are there; copy the folders beside it, too.",
-          path.string());
-  if (missing > 0)
+  if (missing > 0 && !found.empty())
     files.warnings.push_back(fmt::format("{} of the files that the DICOMDIR names {} not there.", missing,
                                          missing > 1 ? "are" : "is"));
   return found;
+}
+
+// What lies beside a DICOMDIR that is of no use, as where the files of a disc were copied without their folders.
+Paths besideDirectory(const fs::path& directory, const fs::path& path, DicomFiles& files) {
+  Paths found = filesIn(directory.has_parent_path() ? directory.parent_path() : fs::path("."), path);
+  std::erase_if(found, [](const fs::path& file) { return !isReadable(file); });
+  require(!found.empty(), "{} names no files that are there; copy the folders beside it, too.",
+          path.string());
+  files.warnings.push_back(
+      "The DICOMDIR is damaged, or names no files that are there; those beside it are taken.");
+  return found;
+}
+
+Paths filesOf(const fs::path& path, const fs::path& list, DicomFiles& files) {
+  if (list.empty()) return filesIn(path, path);
+  Paths found = filesOfDirectory(list, path, files);
+  return found.empty() ? besideDirectory(list, path, files) : found;
 }
 
 // Adds what can be read; gives the first reason why something cannot.
@@ -152,7 +174,7 @@ DicomFiles dicomFiles(const fs::path& path, const Progress& progress) {
         path.string());
     return files;
   }
-  const Paths names = list.empty() ? filesIn(path, path) : filesOfDirectory(list, path, files);
+  const Paths names = filesOf(path, list, files);
   const auto first = addAll(collector, names, {}, files, progress);
   append(files, collector.finish());
   if (files.volumes.empty() && first) throw *first;

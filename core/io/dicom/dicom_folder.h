@@ -9,6 +9,7 @@ namespace sonoskin {
 // DICOMDIR names.
 //   output  the volumes of the file that was chosen, or all; pictures that are no volume are left out where there are volumes
 //   errors  Error: nothing in it can be read, with the first reason; more than 50,000 files; Cancelled between files
+// A DICOMDIR that is damaged, or none of whose files are there, stands for what lies beside it, with a warning.
 // Files of a folder that are damaged are left out with a warning of how many there are: their names may be a patient's.
 DicomFiles dicomFiles(const std::filesystem::path& path, const Progress& progress);
 
