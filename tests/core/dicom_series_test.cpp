@@ -211,6 +211,29 @@ TEST(DicomSeries, CopiesOfFilesAreLeftOut) {
   EXPECT_TRUE(warned(record, "2 files are left out as copies"));
 }
 
+// Some programs give all slices the same UID.
+TEST(DicomSeries, SlicesOfOneUidAreNoCopies) {
+  const Folder folder, timed, unplaced;
+  const auto sameUid = [](DicomImage& image, int) { image.instance = "1.2.3"; };
+  folder.series(6, [&](DicomImage& image, int k) { sameUid(image, k), image.number = 1; });
+  folder.series(
+      2, [&](DicomImage& image, int k) { sameUid(image, k), image.number = 1; }, "copy");
+  const LogRecord record;
+  EXPECT_EQ(expectRamp(loadVolume(folder.path())), 6 * kColumns * kRows);
+  EXPECT_EQ(expectRamp(loadVolume(folder / "s03.dcm")), 6 * kColumns * kRows);
+  EXPECT_TRUE(warned(record, "2 files are left out as copies"));
+  unplaced.series(6, [&](DicomImage& image, int k) { sameUid(image, k), image.position = ""; });
+  expectError([&] { readScan(unplaced.path()); }, "The 6 slices in");
+  for (const char* time : {"120000", "120003"})
+    timed.series(
+        6,
+        [&](DicomImage& image, int k) {
+          sameUid(image, k), image.others.push_back({8, 0x32, "TM", time});
+        },
+        time);
+  EXPECT_EQ(loadVolume(timed.path()).stored.timeSteps, 2);
+}
+
 struct Step {
   const char* name;
   std::uint16_t group, element;

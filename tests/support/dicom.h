@@ -32,6 +32,7 @@ struct DicomImage {
   std::string orientation = "1\\0\\0\\0\\1\\0";
   std::string spacing = "0.5\\0.5";  // empty: not told
   int number = 1;
+  std::optional<std::string> instance;                     // its UID; else that of the series and the number
   std::string mediaStorage = "1.2.840.10008.5.1.4.1.1.2";  // CT image
   std::string modality = "CT";
   std::string photometric = "MONOCHROME2";
@@ -88,7 +89,7 @@ inline std::string pixelBytes(const DicomImage& image) {
 
 // dicomFile: the bytes of a file.
 inline std::string dicomFile(const DicomImage& i) {
-  const std::string instance = i.series + "." + std::to_string(i.number);
+  const std::string instance = i.instance.value_or(i.series + "." + std::to_string(i.number));
   const char* eitherSign = i.isSigned && i.paddingIsSigned ? "SS" : "US";
   const std::string syntax = i.explicitTypes ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
   DicomBytes meta, data(i.explicitTypes);

@@ -1,5 +1,7 @@
 #include "core/io/dicom/dicom_collector.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "core/io/dicom/dicom_makers.h"
@@ -23,6 +25,19 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
+// What a file is a copy by: its UID, which some programs give to all slices of a series, and what else tells slices apart.
+std::string identityOf(const DicomItem& root) {
+  const std::string instance = root.text(tag::kSopInstance);
+  if (instance.empty()) return instance;
+  std::string identity = instance + ' ' + root.text(tag::kSeries) + ' ' + root.text(tag::kImageType);
+  for (const DicomTag tag :
+       {tag::kInstance, tag::kPosition, tag::kOrientation, tag::kAcquisition, tag::kTemporal,
+        tag::kTriggerTime, tag::kAcquisitionTime, tag::kContentTime, tag::kEchoTime, tag::kEchoNumber,
+        tag::kDiffusionB, tag::kRows, tag::kColumns, tag::kFrames})
+    identity += fmt::format(" {}", fmt::join(root.numbers(tag), ","));
+  return identity;
+}
+
 }  // namespace
 
 DicomSource DicomFile::open(const fs::path& named) const {
@@ -34,10 +49,10 @@ DicomSource DicomFile::open(const fs::path& named) const {
 void DicomCollector::add(const fs::path& file, const std::string& onlySeries) {
   DicomSource source(file, path_);
   const DicomDataSet set = readDataSet(source);
-  const std::string series = set.root.text(tag::kSeries), instance = set.root.text(tag::kSopInstance);
+  const std::string series = set.root.text(tag::kSeries), identity = identityOf(set.root);
   if (!onlySeries.empty() && series != onlySeries) return;
   refuseOtherKinds(set.root, path_);
-  if (!instance.empty() && instances_.contains(instance)) {
+  if (!identity.empty() && identities_.contains(identity)) {
     ++copies_;
     return;
   }
@@ -54,7 +69,7 @@ void DicomCollector::add(const fs::path& file, const std::string& onlySeries) {
     found_.files.pop_back();
     throw;
   }
-  instances_.insert(instance);
+  identities_.insert(identity);
   lastSeries_ = series;
 }
 

@@ -62,7 +62,7 @@ class DicomCollector {
   std::vector<DicomFrame> slices_;
   std::vector<std::string> modalities_;  // of the files
   std::vector<std::vector<std::string>> warnings_;
-  std::set<std::string> instances_;
+  std::set<std::string> identities_;
   std::string lastSeries_;
   int copies_ = 0;
 };
