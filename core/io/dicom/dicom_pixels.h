@@ -26,7 +26,6 @@ struct DicomPalette {
 // DicomPixels: how the pixels of a file lie in it and what they are.
 //   syntax     the transfer syntax's UID
 //   offset     of plain pixels, `length` bytes; packed ones have pieces instead, and of each frame the first one
-//   slope ...  of all frames, where those do not have their own
 struct DicomPixels {
   int columns = 0, rows = 0, frames = 1, samples = 1;
   int allocated = 8, stored = 8, highBit = 7;  // bits of a sample

@@ -60,7 +60,7 @@ Place placeAt(double at, int count) {
 // What slices hold where the straight grid wants it.
 class Slices {
  public:
-  Slices(const LoadedVolume& loaded) : loaded_(loaded), dims_(loaded.stored.geometry.dims) {}
+  explicit Slices(const LoadedVolume& loaded) : loaded_(loaded) {}
 
   float at(const Place& x, const Place& y, int k, int component) const {
     if (!x.inside || !y.inside) return kNone;
@@ -88,7 +88,6 @@ class Slices {
   }
 
   const LoadedVolume& loaded_;
-  glm::ivec3 dims_;
 };
 
 // What 0 and 1 mean, where the type that is given up told.
