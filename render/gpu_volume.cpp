@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/timer.h"
 #include "render/camera.h"
 
 namespace sonoskin {
 namespace {
+
+constexpr int kSlices = 8;  // that are copied at once: they need little memory beside the texture's own
 
 float toUnit(float value) { return std::clamp(value, 0.0f, 1.0f); }
 
@@ -28,29 +31,17 @@ bool fitsBytes(const Volume<float>& volume) {
   return fits;
 }
 
+// Converts and uploads some slices.
 template <class To, class From, class F>
-gl::Texture upload(const Volume<From>& volume, gl::Format format, F&& convert) {
-  std::vector<To> texels(volume.data.size());
+void uploadSlices(gl::Texture& texture, const Volume<From>& volume, int first, int count, F&& convert) {
   const std::size_t slice = volume.geometry.index(0, 0, 1);
-  parallelFor(volume.geometry.dims.z, [&](std::ptrdiff_t k) {
-    const std::size_t begin = std::size_t(k) * slice;
-    for (std::size_t i = begin; i < begin + slice; ++i) texels[i] = convert(volume.data[i]);
+  std::vector<To> texels(slice * std::size_t(count));
+  parallelFor(count, [&](std::ptrdiff_t k) {
+    const From* from = &volume.data[(std::size_t(first) + std::size_t(k)) * slice];
+    To* to = &texels[std::size_t(k) * slice];
+    for (std::size_t i = 0; i < slice; ++i) to[i] = convert(from[i]);
   });
-  gl::Texture texture({.size = volume.geometry.dims, .format = format});
-  texture.upload(texels.data());
-  return texture;
-}
-
-gl::Texture valueTexture(const Volume<float>& volume) {
-  if (fitsBytes(volume)) return upload<std::uint8_t>(volume, gl::Format::r8, toByte);
-  return upload<std::uint16_t>(volume, gl::Format::r16,
-                               [](float v) { return std::uint16_t(65535 * toUnit(v) + 0.5f); });
-}
-
-gl::Texture valueTexture(const Volume<std::uint8_t>& volume) {
-  gl::Texture texture({.size = volume.geometry.dims, .format = gl::Format::r8});
-  texture.upload(volume.data.data());
-  return texture;
+  texture.uploadSlices(first, count, texels.data());
 }
 
 // One row of the shade texture: central differences, one-sided at the border.
@@ -115,10 +106,38 @@ void GpuVolume::set(std::shared_ptr<const Volume<std::uint8_t>> volume) {
   bytes_ = std::move(volume);
 }
 
+void GpuVolume::uploadSome() const {
+  if (!values_) {
+    const bool bytes = bytes_ || fitsBytes(*floats_);
+    values_ = gl::Texture({.size = geometry_.dims, .format = bytes ? gl::Format::r8 : gl::Format::r16});
+  }
+  const int first = uploaded_, count = std::min(kSlices, geometry_.dims.z - first);
+  if (bytes_)
+    values_.uploadSlices(first, count, &bytes_->data[geometry_.index(0, 0, first)]);
+  else if (values_.description().format == gl::Format::r8)
+    uploadSlices<std::uint8_t>(values_, *floats_, first, count, toByte);
+  else
+    uploadSlices<std::uint16_t>(values_, *floats_, first, count,
+                                [](float v) { return std::uint16_t(65535 * toUnit(v) + 0.5f); });
+  uploaded_ = first + count;
+}
+
 const gl::Texture& GpuVolume::values() const {
-  if (!values_ && floats_) values_ = valueTexture(*floats_);
-  if (!values_ && bytes_) values_ = valueTexture(*bytes_);
+  while (!empty() && uploaded_ < geometry_.dims.z) uploadSome();
   return values_;
+}
+
+bool GpuVolume::prepare(double seconds, bool withBricks) {
+  if (empty()) return true;
+  const Timer timer;
+  while (uploaded_ < geometry_.dims.z) {
+    if (timer.seconds() > seconds) return false;
+    uploadSome();
+  }
+  if (!withBricks || bricks_ || !floats_) return true;
+  if (timer.seconds() > 0.2 * seconds) return false;  // they are made at once
+  bricks();
+  return true;
 }
 
 const gl::Texture& GpuVolume::bricks() {
@@ -148,10 +167,8 @@ Box GpuVolume::contentBox(float threshold) {
   return worldBox(part);
 }
 
-// Some slices at a time, which need little memory beside the texture's own.
 const gl::Texture& GpuVolume::shades() {
   if (shades_ || !floats_) return shades_;
-  constexpr int kSlices = 8;
   const auto dims = geometry_.dims;
   const std::size_t slice = geometry_.index(0, 0, 1);
   gl::Texture made({.size = dims, .format = gl::Format::rgba8});

@@ -30,6 +30,11 @@ class GpuVolume {
   //   errors  Error (system): the driver cannot hold it
   // values: one 8-bit number per voxel where that is exact, else 16-bit.
   const gl::Texture& values() const;
+  // prepare: makes some of the values, and of the bricks where they are wanted, so that a frame that shows them first need
+  // not make all.
+  //   seconds  that it may take, about
+  //   output   whether all is there
+  bool prepare(double seconds, bool withBricks);
   // contentBox: world mm, around the bricks that hold a value above `threshold`; around all of them if none does.
   Box contentBox(float threshold);
   // bricks: for every 8^3 voxels the largest value that interpolation can give between their centres and the
@@ -41,6 +46,7 @@ class GpuVolume {
 
  private:
   void begin(const Geometry& geometry);
+  void uploadSome() const;
 
   std::shared_ptr<const Volume<float>> floats_;
   std::shared_ptr<const Volume<std::uint8_t>> bytes_;
@@ -48,6 +54,7 @@ class GpuVolume {
   std::uint64_t number_ = 0;
   std::vector<float> maxima_;   // of the bricks
   mutable gl::Texture values_;  // made by who only looks
+  mutable int uploaded_ = 0;    // its slices that are there
   gl::Texture bricks_, shades_;
 };
 

@@ -55,14 +55,38 @@ void letGoOfClosed(FourUp& views, const Results& results) {
   views.space.skin.letGo();
 }
 
+constexpr double kCopySeconds = 0.012;  // a frame
+
+// What has arrived is copied in pieces, over some frames. Of volumes that are shown nowhere nothing is copied.
+void copyVolumes(GpuScans& scans, const Workspace& w) {
+  const ViewState& view = w.view;
+  const Results& results = w.session.results();
+  const bool inSpace = !showsMesh(w);
+  const auto copy = [&](GpuVolume& to, const auto& volume, bool space, SliceLayer layer) {
+    const bool marks = layer == SliceLayer::thinned && view.surfaceVoxels;
+    if (!volume || !(space || marks || view.layer == layer)) return;
+    to.set(volume);
+    if (!to.prepare(kCopySeconds, space)) scans.ready = false;
+  };
+  scans.ready = true;
+  const bool isRaw = view.volumeLayer == VolumeLayer::raw || !results.classified;
+  copy(scans.raw, w.session.scan().volume, inSpace && isRaw, SliceLayer::raw);
+  copy(scans.classified, results.classified, inSpace && !isRaw, SliceLayer::classified);
+  copy(scans.thinned, results.thinned, false, SliceLayer::thinned);
+}
+
+// When the next frame is wanted: at once while something is on its way.
+double soonest(double next, const GpuScans& scans) { return scans.ready ? next : 0; }
+
 }  // namespace
 
 double drawFourUp(FourUp& views, Workspace& workspace) {
   letGoOfClosed(views, workspace.session.results());
+  copyVolumes(views.scans, workspace);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
   // A copy: a double click changes it, and that counts from the next frame.
   if (const auto maximised = workspace.view.maximised)
-    return drawPane(views, workspace, *maximised, corner, area);
+    return soonest(drawPane(views, workspace, *maximised, corner, area), views.scans);
   const float gap = std::round(2 * unit());
   const ImVec2 size{std::floor((area.x - gap) / 2), std::floor((area.y - gap) / 2)};
   double next = -1;
@@ -73,7 +97,7 @@ double drawFourUp(FourUp& views, Workspace& workspace) {
                  {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
     if (pane == Pane::space) next = wanted;
   }
-  return next;
+  return soonest(next, views.scans);
 }
 
 }  // namespace sonoskin::ui

@@ -88,7 +88,7 @@ void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, 
 // Draws the picture anew where what it shows has changed. One that fails is not tried again until then.
 void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans, Workspace& w,
              glm::ivec2 size) {
-  if (w.view.catchingUp) return;
+  if (w.view.catchingUp || !scans.ready) return;
   const Results& results = w.session.results();
   const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned,
                                        results.slices[std::size_t(axisAcross(plane))]});

@@ -144,7 +144,7 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
 void advancePicture(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole) {
   PictureState& state = window.state;
   state.light = shownLight(window, workspace);
-  const bool lighting = state.lighting(), late = workspace.view.catchingUp;
+  const bool lighting = state.lighting(), late = workspace.view.catchingUp || !scans.ready;
   state.moving |= lighting;
   if (!late) refresh(window, scans, workspace, whole);
   state.unfinished = lighting || state.lighting();

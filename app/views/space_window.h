@@ -19,6 +19,7 @@ struct GpuScans {
   GpuVolume raw, classified, thinned;
   std::array<GpuVolume, 3> slices;  // across i, j, k, of a slider's first answer
   GpuMask erased;
+  bool ready = true;  // else what is to be shown is on its way, and views keep their pictures
 };
 
 // SpaceWindow: the 3D view. It keeps its picture and draws a new one only when what it shows has changed:

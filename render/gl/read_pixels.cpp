@@ -30,7 +30,8 @@ namespace {
 template <class T>
 std::vector<T> roomFor(const Texture& texture, std::size_t perTexel) {
   const glm::ivec3 size = texture.size();
-  return std::vector<T>(std::size_t(size.x) * std::size_t(size.y) * perTexel);
+  return std::vector<T>(std::size_t(size.x) * std::size_t(size.y) * std::size_t(std::max(size.z, 1)) *
+                        perTexel);
 }
 
 }  // namespace

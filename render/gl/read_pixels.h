@@ -11,7 +11,7 @@ namespace sonoskin::gl {
 // readImage: the first colour of an rgba8 framebuffer as a picture, top row first, opaque.
 Image readImage(const Framebuffer& framebuffer);
 
-// readFloats: the texels of a 2D colour or depth texture as floats, bottom row first, `components` per texel
+// readFloats: the texels of a colour or depth texture as floats, bottom row and first slice first, `components` per texel
 // (1 for depth and one-channel formats, 4 for RGBA).
 std::vector<float> readFloats(const Texture& texture, int components);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/gl/read_pixels.h"
 #include "tests/render/support/gl_test.h"
 
 namespace sonoskin {
@@ -64,6 +65,21 @@ TEST_F(GpuVolumeTest, TakesBytesWhereTheyAreExact) {
   volume.data[5] = 0.5f;
   gpu.set(std::make_shared<Volume<float>>(volume));
   EXPECT_EQ(gpu.values().description().format, gl::Format::r16);
+}
+
+TEST_F(GpuVolumeTest, IsPreparedInPieces) {
+  GpuVolume gpu, whole;
+  EXPECT_TRUE(gpu.prepare(0, true)) << "there is nothing to do";
+  const auto volume = std::make_shared<Volume<float>>(scattered(smallGeometry()));
+  gpu.set(volume);
+  whole.set(volume);
+  int calls = 1;
+  while (!gpu.prepare(0, true)) ASSERT_LT(++calls, 20);
+  EXPECT_GT(calls, 2);
+  EXPECT_EQ(gl::readFloats(gpu.values(), 1), gl::readFloats(whole.values(), 1));
+  EXPECT_EQ(gl::readFloats(gpu.bricks(), 1), gl::readFloats(whole.bricks(), 1));
+  gpu.set(std::make_shared<Volume<float>>(*volume));
+  EXPECT_FALSE(gpu.prepare(0, false)) << "another one begins anew";
 }
 
 TEST_F(GpuVolumeTest, ContentBoxHoldsWhatIsBright) {
