@@ -129,15 +129,14 @@ const gl::Texture& GpuVolume::values() const {
 
 bool GpuVolume::prepare(double seconds, bool withBricks) {
   if (empty()) return true;
-  const Timer timer;
-  while (uploaded_ < geometry_.dims.z) {
-    if (timer.seconds() > seconds) return false;
+  const bool valuesFirst = uploaded_ < geometry_.dims.z;
+  for (const Timer timer; uploaded_ < geometry_.dims.z;) {
     uploadSome();
+    if (timer.seconds() > seconds) break;
   }
-  if (!withBricks || bricks_ || !floats_) return true;
-  if (timer.seconds() > 0.2 * seconds) return false;  // they are made at once
-  bricks();
-  return true;
+  const bool wanted = withBricks && !bricks_ && floats_;
+  if (wanted && !valuesFirst) bricks();  // at once, in a call of their own
+  return uploaded_ == geometry_.dims.z && (!wanted || !valuesFirst);
 }
 
 const gl::Texture& GpuVolume::bricks() {
