@@ -13,14 +13,18 @@ void ErasedParts::makeMask() {
   if (mask_.data.empty()) mask_ = Volume<std::uint8_t>(geometry_);
 }
 
-bool ErasedParts::paint(const Brush& brush) {
-  if (!brush.mark && voxels_ == 0) return false;
+template <class Shape>
+bool ErasedParts::paintWith(const Shape& shape) {
+  if (!shape.mark && voxels_ == 0) return false;
   makeMask();
-  const VoxelRuns runs = sonoskin::paint(mask_, brush);
-  for (const VoxelRun& run : runs) voxels_ = brush.mark ? voxels_ + run.count : voxels_ - run.count;
+  const VoxelRuns runs = sonoskin::paint(mask_, shape);
+  for (const VoxelRun& run : runs) voxels_ = shape.mark ? voxels_ + run.count : voxels_ - run.count;
   add(runs);
   return !runs.empty();
 }
+
+template bool ErasedParts::paintWith(const Brush&);
+template bool ErasedParts::paintWith(const Lasso&);
 
 void ErasedParts::become(const Volume<std::uint8_t>& marked) {
   endStroke();

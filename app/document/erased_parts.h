@@ -6,6 +6,7 @@
 
 #include "core/base/hash.h"
 #include "core/volume/erase_mask.h"
+#include "core/volume/lasso.h"
 
 namespace sonoskin {
 
@@ -17,7 +18,8 @@ class ErasedParts {
   void reset(const Geometry& geometry);
 
   // paint: goes on with the stroke that endStroke() ends; whether anything changed.
-  bool paint(const Brush& brush);
+  bool paint(const Brush& brush) { return paintWith(brush); }
+  bool paint(const Lasso& lasso) { return paintWith(lasso); }
   // become: what is marked in another mask of the same dimensions, and nothing else, as one stroke.
   void become(const Volume<std::uint8_t>& marked);
   void clear();
@@ -40,6 +42,8 @@ class ErasedParts {
     VoxelRuns runs;
     Key key;  // after it
   };
+  template <class Shape>
+  bool paintWith(const Shape& shape);
   void add(const VoxelRuns& runs);
   void toggleAndCount(const VoxelRuns& runs);
   void makeMask();

@@ -95,6 +95,10 @@ void Session::erase(const Brush& brush) {
   if (hasScan() && document_.erased.paint(brush)) update(Goal::points);
 }
 
+void Session::erase(const Lasso& lasso) {
+  if (hasScan() && document_.erased.paint(lasso)) update(Goal::points);
+}
+
 void Session::clearErased() {
   change([](Document& document) { document.erased.clear(); });
   commitEdit();

@@ -86,6 +86,7 @@ class Session {
   //   errors  Error: there is nothing to erase from, or nothing erased to save; what is wrong with a file is a message
   const ErasedParts& erased() const { return document_.erased; }
   void erase(const Brush& brush);
+  void erase(const Lasso& lasso);
   void clearErased();
   void loadErased(const std::filesystem::path& path);
   void saveErased(const std::filesystem::path& path);

@@ -13,7 +13,7 @@ namespace {
 struct MouseLine {
   const char *where, *what, *effect;
 };
-constexpr std::array<MouseLine, 21> kMouse{{
+constexpr std::array<MouseLine, 24> kMouse{{
     {"Slices", "Left button", "move the cross-hair"},
     {"", "Wheel", "next slice"},
     {"", "Ctrl+wheel", "zoom"},
@@ -22,6 +22,9 @@ constexpr std::array<MouseLine, 21> kMouse{{
     {"", "Left on a side of the crop box", "move it"},
     {"Eraser", "Left", "erase a ball"},
     {"", "Ctrl+left", "bring back"},
+    {"Outline", "Left", "cut out what is seen within it"},
+    {"", "Ctrl+left", "bring it back"},
+    {"", "Shift+left", "keep nothing but what is seen within it"},
     {"3D", "Left", "rotate"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right or wheel", "zoom"},

@@ -12,6 +12,7 @@ void drawMenuBar(Workspace& workspace);
 // The side panel, from top to bottom.
 void drawVolumePanel(Workspace& workspace);
 void drawRegionPanel(Workspace& workspace);  // eraser and crop box
+void drawLassoRows(Workspace& workspace);    // while it is chosen
 void drawClassificationPanel(
     Workspace& workspace);  // preset, the first parameters, the others under "Advanced"
 void drawReconstructionPanel(

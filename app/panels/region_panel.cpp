@@ -116,6 +116,8 @@ void drawRegionPanel(Workspace& workspace) {
     return;
   }
   drawEraser(workspace);
+  commandButton("region.lasso", "Cut out by an outline", ImGui::GetContentRegionAvail().x, workspace);
+  drawLassoRows(workspace);
   drawBox(workspace);
 }
 

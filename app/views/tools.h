@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/crop_box.h"
 #include "app/views/pane.h"
@@ -42,7 +43,8 @@ struct ToolState {
     glm::vec2 offset{0};
     bool divider = false, turning = false;
   } lamp;
-  double turns = 0;  // of the wheel in a slice, not yet a whole slice
+  std::vector<glm::vec2> outline;  // of the lasso, from the view's upper left corner
+  double turns = 0;                // of the wheel in a slice, not yet a whole slice
 };
 
 // use...: one frame of a tool that can be used; those that keep the button set `held`.
@@ -57,6 +59,12 @@ PaneInput useLandmarkTool(ToolState& state, Workspace& workspace, const ToolPane
 PaneInput useEraser(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void letGoEraser(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void drawEraser(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+
+// Left draws an outline; when it is let go, what is seen within it is erased: with Ctrl it is brought back, with Shift all
+// that is seen without it is erased.
+PaneInput useLasso(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoLasso(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void drawLasso(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
 
 // A click takes the part below the mouse away or brings it back, with Shift it leaves that part alone; a line drawn with
 // Ctrl splits the part that it crosses.

@@ -33,14 +33,16 @@ bool always(const Workspace&) { return true; }
 PaneInput steerAlone(ToolState&, Workspace&, const ToolPane& pane) { return pane.input; }
 
 constexpr ToolInPane kNothing{}, kSteering{steerAlone}, kLandmark{useLandmarkTool},
-    kEraser{useEraser, letGoEraser, drawEraser}, kParts{usePartTool, letGoPartTool, drawPartTool},
-    kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
+    kEraser{useEraser, letGoEraser, drawEraser}, kLasso{useLasso, letGoLasso, drawLasso},
+    kParts{usePartTool, letGoPartTool, drawPartTool}, kLamp{useLampTool, letGoLampTool},
+    kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
 
 // clang-format off
 constexpr std::array<ToolRow, kTools.size()> kRows{{
     //               chosen isShown     in slices  in 3D      doubleClicks
     {Tool::landmark,  true, wantsSkin,  kNothing,  kLandmark},
     {Tool::eraser,    true, always,     kEraser,   kNothing,  true},
+    {Tool::lasso,     true, always,     kLasso,     kLasso,    true},
     {Tool::parts,    false, showsParts, kNothing,  kParts,    true},
     {Tool::lamp,     false, wantsSkin,  kNothing,  kLamp},
     {Tool::cropBox,  false, showsBox,   kBox,      kNothing},

@@ -92,6 +92,7 @@ void Application::answerClosing() {
 // Keys are looked at when their frame has begun: whether a text field takes them is known only then.
 void Application::takeInput(const std::optional<Event>& event) {
   for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
+  workspace_.view.trail = event ? event->through : std::vector<glm::vec2>();
   if (!event || event->kind != Event::Kind::key || !event->down) return;
   const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
   if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);

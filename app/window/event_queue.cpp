@@ -8,6 +8,8 @@ void EventQueue::add(Event event) {
   Event* last = events_.empty() ? nullptr : &events_.back();
   const bool same = last && last->kind == event.kind;
   if (same && event.kind == Event::Kind::position) {
+    event.through = std::move(last->through);
+    event.through.push_back(last->at);
     *last = std::move(event);
   } else if (same && event.kind == Event::Kind::wheel) {
     event.at += last->at;

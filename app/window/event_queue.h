@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sonoskin {
 
@@ -22,6 +23,8 @@ struct Event {
   bool down = false;
   bool control = false, shift = false, alt = false;
   std::u32string text{};
+  std::vector<glm::vec2>
+      through{};  // position: where the mouse was on its way, in positions that are one now
 };
 
 // kNowhere: the position of a mouse that is outside the window.

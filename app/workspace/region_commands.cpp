@@ -28,6 +28,12 @@ void scaleBrush(W& w, double factor) {
   w.view.brushRadius = std::clamp(w.view.brushRadius * factor, kLeastBrush, kMostBrush);
 }
 
+// In slices and in 3D alike.
+void toggleLasso(W& w) {
+  const bool on = isChosen(w.view, Tool::lasso);
+  w.view.sliceTool = w.view.spaceTool = on ? Tool::crossHair : Tool::lasso;
+}
+
 // clang-format off
 const Command kCommands[] = {
   {"region.box", "Show the crop box", Menu::region, key(GLFW_KEY_B), [](W& w) { w.view.cropBox = !w.view.cropBox; },
@@ -35,6 +41,8 @@ const Command kCommands[] = {
   {"region.resetBox", "Crop box around the whole volume", Menu::region, {}, resetCropBox, isCut},
   {"region.erase", "Erase in the slices", Menu::region, key(GLFW_KEY_E), [](W& w) { toggle(w.view.sliceTool, Tool::eraser); },
    hasScan, [](const W& w) { return isChosen(w.view, Tool::eraser); }, true},
+  {"region.lasso", "Cut out by an outline", Menu::region, key(GLFW_KEY_X), toggleLasso, hasScan,
+   [](const W& w) { return isChosen(w.view, Tool::lasso); }},
   {"region.smaller", "Smaller eraser", Menu::region, key(GLFW_KEY_LEFT_BRACKET), [](W& w) { scaleBrush(w, 1 / 1.2); }, hasScan},
   {"region.larger", "Larger eraser", Menu::region, key(GLFW_KEY_RIGHT_BRACKET), [](W& w) { scaleBrush(w, 1.2); }, hasScan},
   {"region.clear", "Bring everything back", Menu::region, {}, [](W& w) { w.session.clearErased(); }, hasErased},

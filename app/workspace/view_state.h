@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "app/workspace/tool.h"
 #include "core/pipeline/parameters.h"
@@ -93,6 +94,10 @@ struct ViewState {
   double brushRadius = 6;    // of the eraser, mm
   std::size_t landmark = 0;  // that is placed next; see kLandmarks
   bool toolHeld = false;     // by the left button, in any view: the 3D view draws drafts
+
+  // trail: where the mouse was in the window since the frame before; what is drawn by hand goes through it.
+  std::vector<glm::vec2> trail;
+  double lassoDepth = 0;  // mm behind what is seen first, or to both sides of a slice, that a lasso cuts; 0: all
 
   std::optional<Pane> maximised;
   // catchingUp: this frame is not shown, for input of another one waits; the views keep their pictures.

@@ -8,15 +8,6 @@
 namespace sonoskin {
 namespace {
 
-// Adds a voxel to the runs; the last run grows where the voxel follows it.
-void append(VoxelRuns& runs, std::size_t voxel) {
-  if (!runs.empty() && runs.back().first + runs.back().count == voxel) {
-    ++runs.back().count;
-  } else {
-    runs.push_back({voxel, 1});
-  }
-}
-
 // Line: the way of a brush in the frame of the volume's axes: voxel index .* spacing, mm.
 struct Line {
   glm::dvec3 from, along;
@@ -31,6 +22,14 @@ struct Line {
 };
 
 }  // namespace
+
+void append(VoxelRuns& runs, std::size_t voxel) {
+  if (!runs.empty() && runs.back().first + runs.back().count == voxel) {
+    ++runs.back().count;
+  } else {
+    runs.push_back({voxel, 1});
+  }
+}
 
 VoxelRuns paint(Volume<std::uint8_t>& mask, const Brush& brush) {
   const Geometry& g = mask.geometry;

@@ -13,6 +13,9 @@ struct VoxelRun {
 };
 using VoxelRuns = std::vector<VoxelRun>;
 
+// append: adds a voxel to the runs; the last run grows where the voxel follows it.
+void append(VoxelRuns& runs, std::size_t voxel);
+
 // Brush: a ball that is moved along a straight line. World mm.
 //   radius  > 0; the voxel nearest to `to` is always part of it
 //   mark    what the voxels become: erased, or brought back

@@ -21,6 +21,8 @@ TEST(EventQueue, PositionsAreOneFrameUntilAButtonMoves) {
   EXPECT_TRUE(queue.take()->down);
   const auto moved = queue.take();
   EXPECT_EQ(moved->at.x, 4) << "where it was let go";
+  ASSERT_EQ(moved->through.size(), 1u) << "what is drawn by hand needs its way";
+  EXPECT_EQ(moved->through[0].x, 3);
   EXPECT_EQ(moved->time, 7);
   EXPECT_FALSE(queue.empty());
   EXPECT_FALSE(queue.take()->down);

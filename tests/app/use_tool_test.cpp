@@ -142,6 +142,52 @@ TEST_F(UseTool, TheEraserLeavesTheCrossHairAlone) {
   EXPECT_TRUE(view.cameraMoved);
 }
 
+// The outline goes through places that the mouse passed between two frames.
+TEST_F(UseTool, TheLassoCutsThroughSlicesAndThroughTheViewIn3D) {
+  const glm::dvec3 cursor = view.cursor;
+  const Camera camera = view.camera;
+  const ErasedParts& erased = workspace.session.erased();
+  for (const PaneKind kind : kKinds) {
+    view.sliceTool = view.spaceTool = Tool::lasso;
+    input.corner = {30, 20};
+    input.mouse = {160, 160};
+    press(kind);
+    view.trail = {input.corner + glm::vec2(240, 160)};
+    moveTo(kind, {240, 240});
+    view.trail.clear();
+    moveTo(kind, {160, 240});
+    EXPECT_EQ(erased.voxels(), 0u) << "not before it is let go";
+    EXPECT_TRUE(view.toolHeld);
+    release(kind);
+    const std::size_t through = erased.voxels();
+    EXPECT_GT(through, 1000u);
+    EXPECT_TRUE(workspace.session.canUndo());
+    workspace.session.undo();
+    EXPECT_EQ(erased.voxels(), 0u);
+
+    view.lassoDepth = 3;
+    press(kind);
+    for (const glm::vec2& at : {glm::vec2(240, 160), glm::vec2(240, 240), glm::vec2(160, 240)})
+      moveTo(kind, at);
+    release(kind);
+    EXPECT_LT(erased.voxels(), through);
+    view.lassoDepth = 0;
+    workspace.session.clearErased();
+  }
+  EXPECT_EQ(view.cursor, cursor);
+  EXPECT_EQ(view.camera.forward, camera.forward);
+}
+
+TEST_F(UseTool, EscapeGivesAnOutlineUp) {
+  view.spaceTool = Tool::lasso;
+  press(PaneKind::space);
+  for (const glm::vec2& at : {glm::vec2(240, 160), glm::vec2(240, 240)}) moveTo(PaneKind::space, at);
+  command("surface.cancel").run(workspace);
+  release(PaneKind::space);
+  EXPECT_EQ(workspace.session.erased().voxels(), 0u);
+  EXPECT_TRUE(state.outline.empty());
+}
+
 TEST_F(UseTool, EscapeEndsAStroke) {
   view.sliceTool = Tool::eraser;
   press(PaneKind::slice);
