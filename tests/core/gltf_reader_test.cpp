@@ -3,6 +3,7 @@
 
 #include "core/io/mesh_reader.h"
 #include "core/io/meshes/base64.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/gltf.h"
 #include "tests/support/logged.h"
@@ -40,11 +41,7 @@ void expectTetrahedron(const GltfMaker& made, const char* what, float tolerance 
   const Box box = boundingBox(mesh.positions);
   EXPECT_LT(glm::length(box.min - glm::vec3(0, -30, 0)), tolerance) << what;
   EXPECT_LT(glm::length(box.max - glm::vec3(10, 0, 20)), tolerance) << what;
-  double volume = 0;
-  for (const Triangle& t : mesh.triangles)
-    volume +=
-        double(glm::dot(mesh.positions[t[0]], glm::cross(mesh.positions[t[1]], mesh.positions[t[2]]))) / 6;
-  EXPECT_NEAR(volume, 1000, 1) << what;
+  EXPECT_NEAR(enclosedVolume(mesh), 1000, 1) << what;
 }
 
 TEST(ReadGltf, PlainAndFromText) {
@@ -198,8 +195,10 @@ TEST(ReadGltf, ExtensionsThatAreNotKnownAreNamed) {
   EXPECT_NE(said[0].find("EXT_mesh_gpu_instancing"), std::string::npos);
   made.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   expectError([&] { readGlb(made); }, "needs EXT_mesh_gpu_instancing");
-  made.root["extensionsRequired"] = {"Wilhelmina_Featherstone"};
-  expectError([&] { readGlb(made); }, "needs an extension of glTF that is not known");
+  for (const char* name : {"Wilhelmina_Featherstone", "EXT_featherstone"}) {
+    made.root["extensionsRequired"] = {name};
+    expectError([&] { readGlb(made); }, "needs an extension of glTF that is not known");
+  }
 }
 
 TEST(ReadGltf, WhatIsNoSurfaceIsSaid) {
@@ -237,6 +236,32 @@ TEST(ReadGltf, DamageIsFound) {
   GltfMaker old = tetrahedron();
   old.root["asset"]["version"] = "1.0";
   expectError([&] { readGlb(old); }, "version 2");
+}
+
+// A buffer that says it is long and holds nothing: no count may be believed because of it.
+TEST(ReadGltf, CountsAreHeldAgainstTheBytesThatAreThere) {
+  const auto refuses = [](GltfMaker made, std::uint64_t length) {
+    made.root["buffers"] = {{{"byteLength", made.bytes.size()}},
+                            {{"byteLength", length}, {"uri", "data:;base64,"}}};
+    expectError([&] { readGlb(made); }, "no whole glTF file");
+  };
+  GltfMaker zeros = tetrahedron();
+  zeros.root["accessors"][0].erase("bufferView");
+  zeros.root["accessors"][0]["count"] = 10'000'000'000u;
+  // Distances between elements that overflow: the last one seems to lie at the beginning.
+  GltfMaker sparse = tetrahedron();
+  const std::size_t view = sparse.view(std::string(4096, '\0'), 1024);
+  sparse.root["accessors"][0]["sparse"] = {{"count", (std::uint64_t(1) << 54) + 1},
+                                           {"indices", {{"bufferView", view}, {"componentType", 5121}}},
+                                           {"values", {{"bufferView", view}}}};
+  GltfMaker dense = tetrahedron();
+  dense.root["accessors"][0]["bufferView"] = dense.view(std::string(4096, '\0'), 1024);
+  dense.root["accessors"][0]["count"] = (std::uint64_t(1) << 54) + 1;
+  for (const std::uint64_t length : {std::uint64_t(0), std::uint64_t(1) << 63}) {
+    refuses(zeros, length);
+    refuses(sparse, length);
+    refuses(dense, length);
+  }
 }
 
 TEST(Base64, AsTheStandardHasIt) {

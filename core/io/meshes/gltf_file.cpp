@@ -39,16 +39,12 @@ bool placesSurfaces(const std::string& name) {
                              [&](const char* part) { return name.find(part) != std::string::npos; });
 }
 
-// An extension's name as the registry has them; another text of the file may be anybody's name and is not repeated.
+// The names that are told of, as the registry of glTF has them; any other text may be a person's name.
 std::string forPeople(const std::string& name) {
-  const std::size_t at = name.find('_');
-  const bool isName = at != std::string::npos && at >= 2 && name.size() < 60 &&
-                      std::all_of(name.begin(), name.begin() + std::ptrdiff_t(at),
-                                  [](char c) { return c >= 'A' && c <= 'Z'; }) &&
-                      std::all_of(name.begin() + std::ptrdiff_t(at), name.end(), [](char c) {
-                        return c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-                      });
-  return isName ? name : "an extension";
+  static constexpr std::array<std::string_view, 8> kNames{
+      "EXT_mesh_features",     "EXT_mesh_gpu_instancing", "EXT_mesh_manifold", "FB_ngon_encoding",
+      "KHR_animation_pointer", "KHR_gaussian_splatting",  "MSFT_lod",          "KHR_node_visibility"};
+  return std::ranges::count(kNames, name) > 0 ? name : "an extension";
 }
 
 // "%20" and the like.
@@ -137,10 +133,11 @@ void GltfFile::loadBuffers(std::span<const std::uint8_t> binary) {
       bytes = fromUri(buffer["uri"].get<std::string>());
     else if (b == 0 && !binary.empty())
       bytes.assign(binary.begin(), binary.end());
-    // Without bytes it is a stand-in for what an extension keeps elsewhere: nothing can be read from it.
-    check(bytes.empty() || bytes.size() >= length);
-    if (!bytes.empty()) bytes.resize(length);
-    most_ += buffer.contains("uri") ? length : 0;
+    // Without a place it is a stand-in for what an extension keeps elsewhere: nothing can be read from it.
+    const bool isStandIn = !buffer.contains("uri") && bytes.empty();
+    check(isStandIn || bytes.size() >= length);
+    if (!isStandIn) bytes.resize(length);
+    most_ += buffer.contains("uri") ? bytes.size() : 0;
     buffers_.push_back(std::move(bytes));
   }
 }

@@ -113,9 +113,9 @@ GltfNumbers::Elements GltfNumbers::elementsOf(const json& of, const Shape& shape
   const std::size_t offset = file_.number(of, "byteOffset", 0),
                     size = shape.components * bytesOfType(shape.type),
                     stride = view.stride > 0 ? view.stride : size;
-  file_.check(size > 0 && offset <= view.bytes.size() && stride <= kMostStride && count <= file_.most());
+  file_.check(size > 0 && offset <= view.bytes.size() && stride <= kMostStride);
   const auto bytes = view.bytes.subspan(offset);
-  file_.check(count == 0 || (count - 1) * stride + size <= bytes.size());
+  file_.check(count == 0 || (size <= bytes.size() && count - 1 <= (bytes.size() - size) / stride));
   return {bytes, stride, shape};
 }
 
