@@ -115,6 +115,10 @@ TEST(ReadStl, SaysWhatIsWrong) {
   expectError([&] { read(replaced(plain, "10 0 0", "nan 0 0")); }, "no finite position");
   expectError([&] { read(replaced(plain, "outer loop", "inner loop")); }, "is no STL text in line 3");
   expectError([&] { read(plain.substr(0, plain.find("endloop"))); }, "in the middle of a triangle");
+  // Without its end a triangle would run on into the next one.
+  const std::size_t second = plain.find("endloop", plain.find("endloop") + 1);
+  expectError([&] { read(std::string(plain).erase(second, 7)); }, "is no STL text in line 15");
+  expectError([&] { read(replaced(plain, "endloop", "")); }, "is no STL text in line 8");
   expectError([&] { read("solid a\nendsolid a\n"); }, "holds no triangles");
   const auto said = warningsOf([&] { read(replaced(plain, "endsolid a\n", "")); });
   ASSERT_EQ(said.size(), 1u);

@@ -104,7 +104,7 @@ class TextReader {
 
   void turnLoop(const std::string& word) {
     const bool begins = word == "outer";
-    if (begins == insideLoop_ && word != "endfacet") fail();
+    if (word == "endfacet" ? insideLoop_ : begins == insideLoop_) fail();
     insideLoop_ = begins;
     if (begins || word == "endfacet") return;
     if (corners_.size() < 3) fail();
