@@ -113,6 +113,37 @@ TEST(ReadVtp, StripsAndPieces) {
   for (const glm::vec3& n : mesh.normals) EXPECT_EQ(n, glm::vec3(0, 0, 1));
 }
 
+// What a surface may have beside its places; `inside` the element of the points' arrays.
+std::string squareWith(const std::string& roles, const std::string& inside) {
+  std::string text = square();
+  const std::string empty = "<PointData></PointData>";
+  return text.replace(text.find(empty), empty.size(), "<PointData" + roles + ">" + inside + "</PointData>");
+}
+std::string pointArray(const std::string& name, int components, const std::string& numbers) {
+  return "<DataArray type=\"Float32\" Name=\"" + name + "\" NumberOfComponents=\"" +
+         std::to_string(components) + "\" format=\"ascii\">" + numbers + "</DataArray>";
+}
+
+// Other programs give these names to arrays of their own: the surface is whole without them.
+TEST(ReadVtp, ArraysOfOtherSizesAreLeftOutAndSaidSo) {
+  for (const char* name : {"label", "visibility", "measured", "Normals", "TCoords"})
+    for (const auto& [components, numbers] :
+         {std::pair(4, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16"), {1, "1 2 3"}, {3, "1 2 3 4 5 6 7 8 9"}}) {
+      const auto said = warningsOf(
+          [&] { expectSquare(readText(squareWith("", pointArray(name, components, numbers))), name); });
+      ASSERT_EQ(said.size(), 1u) << name << components;
+      EXPECT_NE(said[0].find("left out"), std::string::npos);
+    }
+  const Mesh labelled = readText(squareWith("", pointArray("label", 1, "1 2 3 4")));
+  EXPECT_EQ(labelled.labels, (std::vector<std::uint8_t>{1, 2, 3, 4}));
+}
+
+TEST(ReadVtp, AnEmptyRoleIsNone) {
+  const std::string speed = pointArray("speed", 3, "1 0 0 1 0 0 1 0 0 1 0 0");
+  expectSquare(readText(squareWith(" Normals=\"\"", speed)), "no normals");
+  EXPECT_EQ(readText(squareWith(" Normals=\"speed\"", speed)).normals[0], glm::vec3(1, 0, 0));
+}
+
 TEST(ReadVtp, SaysWhatIsWrong) {
   expectError([] { readText(square("type=\"Float32\" format=\"ascii\"> 0 0 0 10 0 0")); }, "damaged");
   expectError([] { readText(square("type=\"Float32\" format=\"ascii\"> 0 0 0 10 0 0 10 10 0 nan 10 0")); },

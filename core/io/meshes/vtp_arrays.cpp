@@ -133,7 +133,7 @@ class VtkXmlFile::HeaderWalk {
       return *value;
     };
     const bool isField = section_ == "FieldData" || file_.pieces_.empty();
-    std::vector<VtkArray>& arrays = isField ? file_.fields_ : file_.pieces_.back().arrays;
+    std::vector<VtkXmlArray>& arrays = isField ? file_.fields_ : file_.pieces_.back().arrays;
     arrays.push_back({section_,
                       valueOf(e, "Name"),
                       valueOf(e, "type"),
@@ -152,7 +152,7 @@ class VtkXmlFile::HeaderWalk {
   VtkXmlFile& file_;
   std::string_view type_;
   std::string section_;
-  VtkArray* array_ = nullptr;
+  VtkXmlArray* array_ = nullptr;
   int inArray_ = 0;
   bool found_ = false;
 };
@@ -244,7 +244,7 @@ std::string VtkXmlFile::unpacked(std::string_view stored, bool isBase64) const {
   return bytes;
 }
 
-std::string VtkXmlFile::bytesOf(const VtkArray& array) const {
+std::string VtkXmlFile::bytesOf(const VtkXmlArray& array) const {
   const bool isAppended = array.format == "appended";
   std::string_view stored = isAppended ? appended_ : trimmed(array.text);
   check(isAppended || array.format == "binary");
@@ -254,7 +254,7 @@ std::string VtkXmlFile::bytesOf(const VtkArray& array) const {
   return isPacked_ ? unpacked(stored, isBase64) : plain(stored, isBase64);
 }
 
-std::vector<double> VtkXmlFile::numbers(const VtkArray& array) const {
+std::vector<double> VtkXmlFile::numbers(const VtkXmlArray& array) const {
   const Append add = appendOf(array.type);
   check(add != nullptr);
   std::vector<double> values;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/log.h"
@@ -28,6 +29,10 @@ class Reader {
     require(!mesh_.triangles.empty(), "{} holds no triangles; choose a file with a surface.", path_.string());
     if (leftOut_)
       log(LogLevel::warning, "The VTP file holds points or lines beside its surface; they are left out.");
+    if (misfit_)
+      log(LogLevel::warning,
+          "The VTP file holds an array of its points that is not of the size its name asks for (visibility, "
+          "measured, label, normals or texture coordinates); it is left out.");
     keepWhole();
     turnToLps(mesh_, frame());
     return std::move(mesh_);
@@ -36,59 +41,71 @@ class Reader {
  private:
   void addPiece(const VtkPiece& piece) {
     const std::size_t base = mesh_.positions.size();
-    addVectors(mesh_.positions, arrayOf(piece, "Points", ""), 1);
+    addVectors(mesh_.positions, placesOf(piece));
     const std::size_t points = mesh_.positions.size() - base;
     const auto stated = parseNumber<std::size_t>(piece.attributes.find("NumberOfPoints")->second);
     file_.check(!stated || *stated == points);
-    for (const glm::vec3& p : mesh_.positions)
+    for (const glm::vec3& p : std::span(mesh_.positions).subspan(base))
       require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
               "{} has a vertex at no finite position; get a fresh copy.", path_.string());
-    addVectors(mesh_.normals, roleOf(piece, "Normals"), points);
-    addNumbers(mesh_.visibility, arrayOf(piece, "PointData", "visibility"), points);
-    addNumbers(mesh_.measured, arrayOf(piece, "PointData", "measured"), points);
-    std::vector<float> labels;
-    addNumbers(labels, arrayOf(piece, "PointData", "label"), points);
-    for (const float label : labels)
-      mesh_.labels.push_back(label >= 0 && label <= 255 ? std::uint8_t(label) : 0);
-    if (const VtkArray* uvs = roleOf(piece, "TCoords"); uvs && uvs->components == 2)
-      addNumbers(uvs_, uvs, 2 * points);
+    addAttributes(piece, points);
     addFaces(piece, "Polys", base, points);
     addFaces(piece, "Strips", base, points);
     for (const char* other : {"NumberOfVerts", "NumberOfLines"})
       leftOut_ = leftOut_ || parseNumber<double>(piece.attributes.find(other)->second).value_or(0) > 0;
   }
 
+  void addAttributes(const VtkPiece& piece, std::size_t points) {
+    addVectors(mesh_.normals, fitting(roleOf(piece, "Normals"), 3, points));
+    const auto add = [&](std::vector<float>& to, const VtkXmlArray* array, std::size_t components) {
+      for (const double v : fitting(array, components, points)) to.push_back(float(v));
+    };
+    add(mesh_.visibility, arrayOf(piece, "PointData", "visibility"), 1);
+    add(mesh_.measured, arrayOf(piece, "PointData", "measured"), 1);
+    add(uvs_, roleOf(piece, "TCoords"), 2);
+    for (const double label : fitting(arrayOf(piece, "PointData", "label"), 1, points))
+      mesh_.labels.push_back(label >= 0 && label <= 255 ? std::uint8_t(label) : 0);
+  }
+
   // The first of a section where no name is given.
-  static const VtkArray* arrayOf(const VtkPiece& piece, std::string_view section, std::string_view name) {
-    for (const VtkArray& array : piece.arrays)
+  static const VtkXmlArray* arrayOf(const VtkPiece& piece, std::string_view section, std::string_view name) {
+    for (const VtkXmlArray& array : piece.arrays)
       if (array.section == section && (name.empty() || array.name == name)) return &array;
     return nullptr;
   }
-  // That which the piece names for a role, or whose name is the role's.
-  static const VtkArray* roleOf(const VtkPiece& piece, const std::string& role) {
+  // That which the piece names for a role, or whose name is the role's; an empty name says that there is
+  // none.
+  static const VtkXmlArray* roleOf(const VtkPiece& piece, const std::string& role) {
     const auto named = piece.attributes.find("PointData." + role);
-    return arrayOf(piece, "PointData", named == piece.attributes.end() ? role : named->second);
+    const std::string& name = named == piece.attributes.end() ? role : named->second;
+    return name.empty() ? nullptr : arrayOf(piece, "PointData", name);
   }
 
-  void addVectors(std::vector<glm::vec3>& to, const VtkArray* array, std::size_t least) {
-    if (!array) return file_.check(&to != &mesh_.positions || least > 1);
-    file_.check(array->components == 3);
-    const std::vector<double> values = file_.numbers(*array);
-    file_.check(values.size() % 3 == 0 && (&to == &mesh_.positions || values.size() == 3 * least));
+  std::vector<double> placesOf(const VtkPiece& piece) const {
+    const VtkXmlArray* array = arrayOf(piece, "Points", "");
+    file_.check(array && array->components == 3);
+    std::vector<double> values = file_.numbers(*array);
+    file_.check(values.size() % 3 == 0);
+    return values;
+  }
+  // The numbers of an array that a surface may have; none where it is something else under the same name.
+  std::vector<double> fitting(const VtkXmlArray* array, std::size_t components, std::size_t points) {
+    if (!array) return {};
+    std::vector<double> values;
+    if (array->components == components) values = file_.numbers(*array);
+    if (values.size() == components * points) return values;
+    misfit_ = true;
+    return {};
+  }
+  static void addVectors(std::vector<glm::vec3>& to, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); i += 3)
       to.emplace_back(float(values[i]), float(values[i + 1]), float(values[i + 2]));
-  }
-  void addNumbers(std::vector<float>& to, const VtkArray* array, std::size_t count) {
-    if (!array) return;
-    const std::vector<double> values = file_.numbers(*array);
-    file_.check(values.size() == count);
-    for (const double v : values) to.push_back(float(v));
   }
 
   std::vector<std::size_t> indices(const VtkPiece& piece, const char* section, const char* name,
                                    std::size_t most) {
     std::vector<std::size_t> all;
-    const VtkArray* array = arrayOf(piece, section, name);
+    const VtkXmlArray* array = arrayOf(piece, section, name);
     if (!array) return all;
     for (const double value : file_.numbers(*array)) {
       file_.check(value >= 0 && value <= double(most) && value == std::floor(value));
@@ -134,7 +151,7 @@ class Reader {
   }
 
   MeshFrame frame() const {
-    for (const VtkArray& field : file_.fields()) {
+    for (const VtkXmlArray& field : file_.fields()) {
       if (field.name != "SPACE") continue;
       std::string value;
       for (const double letter : file_.numbers(field))
@@ -149,7 +166,7 @@ class Reader {
   VtkXmlFile file_;
   Mesh mesh_;
   std::vector<float> uvs_;
-  bool leftOut_ = false;
+  bool leftOut_ = false, misfit_ = false;
 };
 
 }  // namespace
