@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/mesh_reader.h"
+#include "core/mesh/facts/mesh_check.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/logged.h"
 #include "tests/support/temp_folder.h"
@@ -57,14 +58,6 @@ Box boxOf(const std::string& xml, const std::vector<std::pair<std::string, std::
   return boundingBox(readBytes(file(xml, others)).positions);
 }
 
-// The volume that the triangles enclose: below 0 where they are turned inward.
-double volumeOf(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles)
-    sum += double(glm::dot(mesh.positions[t[0]], glm::cross(mesh.positions[t[1]], mesh.positions[t[2]]))) / 6;
-  return sum;
-}
-
 TEST(ReadThreeMf, EveryUnitIsMillimetres) {
   for (const auto& [unit, scale] : {std::pair<const char*, float>{"micron", 0.001f},
                                     {"millimeter", 1},
@@ -96,11 +89,20 @@ TEST(ReadThreeMf, ItemsAndComponentsStandWhereTheirTransformsPutThem) {
   EXPECT_EQ(boundingBox(two.positions).max.x, 60);
 }
 
+TEST(ReadThreeMf, AnyNumberOfItems) {
+  std::string items;
+  for (int i = 0; i < 5000; ++i)
+    items += "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(20 * i) + " 0 0\"/>";
+  const Mesh mesh = readBytes(file(model(object("1"), items)));
+  EXPECT_EQ(mesh.triangles.size(), 20'000u);
+  EXPECT_EQ(boundingBox(mesh.positions).max.x, 20 * 4999 + 10);
+}
+
 TEST(ReadThreeMf, AMirroredItemStaysTurnedOutward) {
   const Mesh mesh =
       readBytes(file(model(object("1"), "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>")));
   EXPECT_EQ(boundingBox(mesh.positions).min.x, -10);
-  EXPECT_NEAR(volumeOf(mesh), 1000.0 / 6, 1e-3);
+  EXPECT_NEAR(enclosedVolume(mesh), 1000.0 / 6, 1e-3);
 }
 
 TEST(ReadThreeMf, ObjectsInOtherParts) {
@@ -145,6 +147,13 @@ TEST(ReadThreeMf, SaysWhatIsWrong) {
   const std::string beams =
       "xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\" requiredextensions=\"b\"";
   expectError([&] { read(model(object("1"), item, beams)); }, "beam lattices");
+  std::string doubled;  // each object is two of the next one
+  for (int id = 1; id < 25; ++id) {
+    const std::string part = "<component objectid=\"" + std::to_string(id + 1) + "\"/>";
+    doubled +=
+        "<object id=\"" + std::to_string(id) + "\"><components>" + part + part + "</components></object>";
+  }
+  expectError([&] { read(model(doubled + "<object id=\"25\"/>", item)); }, "into one another");
   expectError(
       [&] { read(model(object("1"), item, "xmlns:q=\"urn:Featherstone\" requiredextensions=\"q\"")); },
       "not known here");

@@ -12,8 +12,8 @@ namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kMostDepth = 32;   // of objects in objects
-constexpr int kMostUses = 4096;  // of objects, each as often as it is put somewhere
+constexpr int kMostDepth = 32;      // of objects in objects
+constexpr int kMostUses = 1 << 20;  // of objects, each as often as it is put somewhere
 
 // The name of the part that the file begins with.  [Open Packaging Conventions: relationships]
 std::string rootPart(const ZipFile& zip, const fs::path& path) {
@@ -63,8 +63,11 @@ class Builder {
     const auto found = model.objects.find(use.object);
     require(found != model.objects.end(), "{} uses an object that it does not hold; get a fresh copy.",
             path_.string());
-    require(depth < kMostDepth && ++uses_ <= kMostUses,
-            "{} puts objects into objects without end; save it as plain triangles.", path_.string());
+    require(depth < kMostDepth, "{} puts objects into objects without end; save it as plain triangles.",
+            path_.string());
+    require(++uses_ <= kMostUses,
+            "{} puts more than {} objects into one another; save it as plain triangles.", path_.string(),
+            kMostUses);
     const ThreeMfObject& object = found->second;
     if (!object.isBuilt) {
       leftOut_ = true;

@@ -56,12 +56,6 @@ void entity(void* data, const char*, int, const char*, int, const char*, const c
 
 std::string_view XmlElement::name() const { return localName(name_); }
 
-std::string_view XmlElement::space() const {
-  const std::string_view whole = name_;
-  const std::size_t at = whole.rfind(kSeparator);
-  return at == std::string_view::npos ? std::string_view() : whole.substr(0, at);
-}
-
 std::optional<std::string_view> XmlElement::value(std::string_view attribute) const {
   for (const char** pair = attributes_; *pair; pair += 2)
     if (localName(pair[0]) == attribute) return pair[1];

@@ -13,8 +13,6 @@ class XmlElement {
  public:
   XmlElement(const char* name, const char** attributes) : name_(name), attributes_(attributes) {}
   std::string_view name() const;
-  // name space of the element: empty where it has none.
-  std::string_view space() const;
   // value: of an attribute; nothing where it has none of that name.
   std::optional<std::string_view> value(std::string_view attribute) const;
 
