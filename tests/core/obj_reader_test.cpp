@@ -1,4 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "core/io/mesh_reader.h"
 #include "tests/support/expect_error.h"
@@ -56,6 +60,30 @@ TEST(ReadObj, AConcaveFaceIsNotFilled) {
   EXPECT_NEAR(surfaceArea(mesh), 3, 1e-6);
   const Mesh arrow = readObjText("v 0 0 0\nv 4 2 0\nv 0 4 0\nv 1 2 0\nf 1 2 3 4\n");
   EXPECT_NEAR(surfaceArea(arrow), 6, 1e-6);
+}
+
+// A band that winds six times, whose ears are at its two ends alone: its area is that of the shoelace formula.
+TEST(ReadObj, ALongConcaveFaceIsNotFilled) {
+  constexpr int kSteps = 490;
+  std::vector<glm::dvec2> band;
+  for (const int side : {0, 1})
+    for (int n = 0; n < kSteps; ++n) {
+      const double turn = 12 * M_PI * (side == 0 ? n : kSteps - 1 - n) / (kSteps - 1);
+      band.push_back((1 + turn + 2 * side) * glm::dvec2(std::cos(turn), std::sin(turn)));
+    }
+  for (const bool reversed : {false, true}) {
+    if (reversed) std::reverse(band.begin(), band.end());
+    std::string text, face = "f";
+    double twice = 0;
+    for (std::size_t n = 0; n < band.size(); ++n) {
+      const glm::dvec2 &a = band[n], &b = band[(n + 1) % band.size()];
+      twice += a.x * b.y - a.y * b.x;
+      text += fmt::format("v {} {} 0\n", a.x, a.y), face += fmt::format(" {}", n + 1);
+    }
+    const Mesh mesh = readObjText(text + face + "\n");
+    EXPECT_EQ(mesh.triangles.size(), band.size() - 2);
+    EXPECT_NEAR(surfaceArea(mesh), std::abs(twice) / 2, 0.01);
+  }
 }
 
 TEST(ReadObj, TheFrameOfAnyComment) {

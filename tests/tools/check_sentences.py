@@ -44,8 +44,8 @@ def wrong(sentence):
 
 
 def main():
-    rooms = ["core/io", "core/io/dicom", "core/io/headers", "core/io/scanners", "app/batch", "app/cli", "app/document",
-             "app/window", "app/workspace"]
+    rooms = ["core/io", "core/io/dicom", "core/io/headers", "core/io/meshes", "core/io/scanners", "app/batch",
+             "app/cli", "app/document", "app/window", "app/workspace"]
     files = [*(file for room in rooms for file in ROOT.glob(room + "/*.cpp")),
              ROOT / "core/base/error_text.cpp"]
     faults, count = [], 0

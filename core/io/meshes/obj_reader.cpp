@@ -82,7 +82,7 @@ class ObjText {
       const std::string_view word = takeWord(rest);
       if (word.empty() && i >= least) break;
       const auto value = parseNumber<double>(word);
-      if (!value) fail("holds no numbers of the form 1.5, with a point, where there should be some");
+      if (!value) failInLine("holds no numbers of the form 1.5, with a point, where there should be some");
       v[i] = float(*value);
     }
     return v;
@@ -93,7 +93,7 @@ class ObjText {
     for (std::string_view word = takeWord(rest); !word.empty() && !word.starts_with('#');
          word = takeWord(rest))
       corners_.push_back(cornerOf(word));
-    if (corners_.size() - first < 3) fail("has a face of fewer than three corners");
+    if (corners_.size() - first < 3) failInLine("has a face of fewer than three corners");
     faceEnds_.push_back(corners_.size());
   }
 
@@ -108,7 +108,7 @@ class ObjText {
     corner.place = next(places_.size());
     corner.uv = next(uvs_.size());
     corner.normal = next(normals_.size());
-    if (corner.place == kNone || !word.empty()) fail("has a face without vertices");
+    if (corner.place == kNone || !word.empty()) failInLine("has a face without vertices");
     return corner;
   }
 
@@ -116,7 +116,7 @@ class ObjText {
   std::uint32_t indexOf(std::string_view text, std::size_t count) {
     const auto index = parseNumber<std::int64_t>(text);
     const std::int64_t at = index ? (*index < 0 ? std::int64_t(count) + *index : *index - 1) : -1;
-    if (at < 0 || at >= std::int64_t(kNone)) fail("has a face without vertices");
+    if (at < 0 || at >= std::int64_t(kNone)) failInLine("has a face without vertices");
     return std::uint32_t(at);
   }
 
@@ -164,7 +164,7 @@ class ObjText {
                   all ? &uvs : nullptr);
   }
 
-  [[noreturn]] void fail(const char* what) const {
+  [[noreturn]] void failInLine(const char* what) const {
     throw Error(fmt::format("{} {}, in line {}; get a fresh copy, or save it as PLY.", path_.string(), what,
                             lines_.number()));
   }

@@ -60,13 +60,16 @@ bool isEar(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>
 
 std::vector<Triangle> cutEars(const std::vector<glm::dvec2>& flat, std::vector<std::uint32_t> loop) {
   std::vector<Triangle> triangles;
+  std::size_t i = 0;
   while (loop.size() > 3) {
-    std::size_t i = 0;
-    while (i < loop.size() && !isEar(flat, loop, i)) ++i;
-    if (i == loop.size()) break;
     const std::size_t n = loop.size();
+    std::size_t tried = 0;
+    for (; tried < n && !isEar(flat, loop, i); ++tried) i = (i + 1) % n;
+    if (tried == n) break;
     triangles.push_back({loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]});
     loop.erase(loop.begin() + std::ptrdiff_t(i));
+    // Goes on at the corner before: it and the one after are the likeliest to have become ears.
+    i = (i + n - 2) % (n - 1);
   }
   const std::vector<Triangle> rest = fan(loop);
   triangles.insert(triangles.end(), rest.begin(), rest.end());

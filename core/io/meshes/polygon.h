@@ -13,7 +13,7 @@ namespace sonoskin {
 //   output   n - 2 triangles of indices into `corners`: a fan from the first where the face is convex, else by cutting off
 //            ears [Meisters 1975] in the plane of Newell's normal; a fan, too, where there are none, as of a face that
 //            crosses itself
-//   cost     n^2 where it is concave; a fan from 1000 corners on
+//   cost     mostly n^2 where it is concave; a fan from 1000 corners on
 std::vector<Triangle> splitPolygon(std::span<const glm::vec3> corners);
 
 }  // namespace sonoskin
