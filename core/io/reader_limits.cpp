@@ -50,7 +50,8 @@ std::uintmax_t bytesIn(const fs::path& folder) {
 std::uintmax_t bytesOf(const fs::path& path) {
   const std::string extension = lowerExtension(path);
   const bool isFolder = fs::is_directory(path);
-  constexpr std::string_view headers[] = {".mhd", ".nhdr", ".hdr", ".dat", ".vvd", ".txt"};
+  constexpr std::string_view headers[] = {".mhd", ".nhdr", ".hdr",  ".dat",
+                                          ".vvd", ".txt",  ".gltf", ".gz"};  // .hdr.gz too
   if (!isFolder && std::ranges::find(headers, extension) == std::end(headers) && !isDicom(path))
     return fileSize(path);
   const fs::path folder = isFolder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");

@@ -81,6 +81,18 @@ TEST(ReaderLimits, GrowWithTheFile) {
   EXPECT_GT(large.seconds, small.seconds);
 }
 
+// The numbers of some files lie in others beside them.
+TEST(ReaderLimits, CountTheFilesThatAHeaderNames) {
+  const test::TempFolder folder;
+  folder.write("a.bin", std::string(1 << 20, 'x'));
+  const ReaderLimits plain = limitsFor(folder.write("a.nrrd", "x"));
+  for (const char* name : {"a.mhd", "a.nhdr", "a.hdr", "a.hdr.gz", "a.gltf", "a.GLTF", "a.dat", "a.vvd"}) {
+    const ReaderLimits limits = limitsFor(folder.write(name, "x"));
+    EXPECT_GT(limits.memory, plain.memory) << name;
+    EXPECT_GT(limits.seconds, plain.seconds) << name;
+  }
+}
+
 TEST(ErrorText, IsForPeople) {
   EXPECT_STREQ(errorText(Error("Take another file.")).c_str(), "Take another file.");
   EXPECT_EQ(errorText(Error("no surface was found")), "No surface was found.");
