@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMostVoxels = double(1 << 27), kManyVoxels = double(1 << 25);
 constexpr double kCoarsest = 3;      // pixels per voxel, where pictures lie far apart
+constexpr int kFill = 3;             // voxels from pictures to which gaps between them are filled
 constexpr std::ptrdiff_t kSlab = 4;  // planes of one task
 
 glm::dvec3 at(const glm::dmat4& pose, double i, double j) {
@@ -60,7 +61,7 @@ double spacingOf(const SweepFrames<T>& frames, const glm::dmat3& axes) {
 
 // The box of all pictures' corners.
 template <class T>
-Geometry boxOf(const SweepFrames<T>& frames, double given) {
+Geometry boxOf(const SweepFrames<T>& frames) {
   Geometry g;
   g.direction = axesOf(frames.poses[frames.poses.size() / 2]);
   glm::dvec3 least(1e300), most(-1e300);
@@ -71,12 +72,12 @@ Geometry boxOf(const SweepFrames<T>& frames, double given) {
       const glm::dvec3 along = glm::transpose(g.direction) * world;
       least = glm::min(least, along), most = glm::max(most, along);
     }
-  double spacing = given > 0 ? given : spacingOf(frames, g.direction);
+  double spacing = spacingOf(frames, g.direction);
   const auto voxelsAt = [&](double s) {
     const glm::dvec3 counts = glm::ceil((most - least) / s) + 1.0;
     return counts.x * counts.y * counts.z;
   };
-  if (!(given > 0)) spacing *= std::cbrt(std::max(1.0, voxelsAt(spacing) / kManyVoxels));
+  spacing *= std::cbrt(std::max(1.0, voxelsAt(spacing) / kManyVoxels));
   const glm::dvec3 counts = glm::ceil((most - least) / spacing) + 1.0;
   require(voxelsAt(spacing) <= kMostVoxels,
           "The pictures of the sweep fill a box of {:.0f} x {:.0f} x {:.0f} voxels, more than fit into "
@@ -104,15 +105,7 @@ void add(Sums& sums, const glm::ivec3& voxel, float value, float weight) {
   sums.weights.data[n] += weight;
 }
 
-void addNearest(Sums& sums, const Slab& slab, const glm::dvec3& index, float value) {
-  const glm::ivec3 voxel(glm::floor(index + 0.5));
-  const glm::ivec3& d = sums.values.geometry.dims;
-  if (voxel.z < slab.first || voxel.z >= slab.last) return;
-  if (voxel.x < 0 || voxel.y < 0 || voxel.x >= d.x || voxel.y >= d.y) return;
-  add(sums, voxel, value, 1);
-}
-
-void addLinear(Sums& sums, const Slab& slab, const glm::dvec3& index, float value) {
+void addPixel(Sums& sums, const Slab& slab, const glm::dvec3& index, float value) {
   const glm::dvec3 base = glm::floor(index);
   const glm::dvec3 part = index - base;
   const glm::ivec3& d = sums.values.geometry.dims;
@@ -140,7 +133,7 @@ std::pair<int, int> pixelsIn(const Slab& slab, double first, double step, int co
 }
 
 template <class T>
-void addFrame(const SweepFrames<T>& frames, std::size_t f, const Slab& slab, bool linear, Sums& sums) {
+void addFrame(const SweepFrames<T>& frames, std::size_t f, const Slab& slab, Sums& sums) {
   const Geometry& g = sums.values.geometry;
   const glm::dmat4& pose = frames.poses[f];
   const glm::dvec3 origin = g.toIndex(at(pose, 0, 0));
@@ -153,7 +146,7 @@ void addFrame(const SweepFrames<T>& frames, std::size_t f, const Slab& slab, boo
     const T* values = pixels + std::size_t(j) * std::size_t(frames.width);
     for (int i = from; i < to; ++i) {
       const glm::dvec3 index = row + double(i) * alongRow;
-      (linear ? addLinear : addNearest)(sums, slab, index, float(values[i]));
+      addPixel(sums, slab, index, float(values[i]));
     }
   }
 }
@@ -173,31 +166,30 @@ SweptVolume meanOf(Sums sums) {
 }  // namespace
 
 template <class T>
-SweptVolume reconstructSweep(const SweepFrames<T>& frames, const SweepOptions& options,
-                             const Progress& progress) {
+SweptVolume reconstructSweep(const SweepFrames<T>& frames, const Progress& progress) {
   checkPoses(frames.poses);
   require(frames.width >= 2 && frames.height >= 2 &&
               frames.pixels.size() ==
                   std::size_t(frames.width) * std::size_t(frames.height) * frames.poses.size(),
           "The sweep has fewer pixels than its pictures need; get a fresh copy.");
-  const Geometry g = boxOf(frames, options.spacing);
+  const Geometry g = boxOf(frames);
   Sums sums{Volume<float>(g), Volume<float>(g)};
   parallelFor((g.dims.z + kSlab - 1) / kSlab,
               [&](std::ptrdiff_t s) {
                 const Slab slab{int(s * kSlab), int(std::min<std::ptrdiff_t>((s + 1) * kSlab, g.dims.z))};
                 for (std::size_t f = 0; f < frames.poses.size(); ++f) {
                   progress.throwIfCancelled();
-                  addFrame(frames, f, slab, options.linear, sums);
+                  addFrame(frames, f, slab, sums);
                 }
               },
               progress.part(0, 0.7));
   SweptVolume swept = meanOf(std::move(sums));
-  if (options.fill > 0) fillGaps(options.fill, swept.volume, swept.mask, progress.part(0.7, 1));
+  fillGaps(kFill, swept.volume, swept.mask, progress.part(0.7, 1));
   progress.update(1);
   return swept;
 }
 
-template SweptVolume reconstructSweep(const SweepFrames<std::uint8_t>&, const SweepOptions&, const Progress&);
-template SweptVolume reconstructSweep(const SweepFrames<float>&, const SweepOptions&, const Progress&);
+template SweptVolume reconstructSweep(const SweepFrames<std::uint8_t>&, const Progress&);
+template SweptVolume reconstructSweep(const SweepFrames<float>&, const Progress&);
 
 }  // namespace sonoskin

@@ -20,18 +20,6 @@ struct SweepFrames {
   std::vector<glm::dmat4> poses;
 };
 
-// SweepOptions: how pictures become a volume.
-//   spacing  mm between voxels, the same along all axes; 0: the distance of pixels, or of pictures where that
-//            is larger but no more than three times; coarser where the box would have more than 2^25 voxels
-//   linear   a pixel counts for the eight voxels around it, by how near they are; else for the nearest alone
-//   fill     voxels within this many voxels of pictures on both sides are filled from those around them; 0:
-//            none
-struct SweepOptions {
-  double spacing = 0;
-  bool linear = true;
-  int fill = 3;
-};
-
 // SweptVolume: mask is not zero where a picture lay, or a gap between pictures was filled; values elsewhere
 // are 0.
 struct SweptVolume {
@@ -41,13 +29,15 @@ struct SweptVolume {
 
 // reconstructSweep: a volume of what tracked pictures show, along the axes of the one in the middle: i along
 // its rows, j away from the probe, k from picture to picture.
-//   method  each voxel is the mean of its pixels, weighted where `linear`; gaps within the closing of what is
-//           covered by a cube of 2 fill + 1 voxels get the Gaussian mean of their surroundings
-//           [Rohling 1999, pixel nearest neighbour with hole filling; PLUS's volume reconstructor]
+//   method  each voxel is the mean of its pixels: one counts for the eight voxels around it, by how near they
+//           are; gaps within the closing of what is covered by a cube of 7 voxels get the Gaussian mean of
+//           their surroundings
+//           [after Rohling 1999, pixel-based with hole filling; PLUS's volume reconstructor, linear]
+//   output  voxels as far apart as pixels, or as pictures where that is larger but no more than three times;
+//           farther where the box would have more than 2^25 voxels
 //   errors  Error: no pictures, poses that are none, a box of more than 2^27 voxels; Cancelled
 //   cost    O(pixels) and 17 bytes for each voxel of the box; 60 million pixels a second on two cores
 template <class T>
-SweptVolume reconstructSweep(const SweepFrames<T>& frames, const SweepOptions& options = {},
-                             const Progress& progress = {});
+SweptVolume reconstructSweep(const SweepFrames<T>& frames, const Progress& progress = {});
 
 }  // namespace sonoskin

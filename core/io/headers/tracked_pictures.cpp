@@ -77,7 +77,7 @@ LoadedVolume reconstruct(const DeclaredData& data, const std::vector<std::uint8_
   const Placed<T> placed = placedPictures<T>(data, numbers, poses);
   notePictures(placed.poses.size(), poses.size());
   const SweptVolume swept =
-      reconstructSweep(SweepFrames<T>{dims.x, dims.y, placed.pixels, placed.poses}, {}, progress);
+      reconstructSweep(SweepFrames<T>{dims.x, dims.y, placed.pixels, placed.poses}, progress);
   LoadedVolume loaded;
   loaded.stored.geometry = swept.volume.geometry;
   loaded.stored.type = std::is_integral_v<T> ? NumberType::uint8 : NumberType::float32;
