@@ -1,6 +1,8 @@
 // What headers say that is not read, and why; what they leave open.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/base/log.h"
@@ -156,6 +158,34 @@ TEST(VolumeHeader, MetaImageIsRefusedWithItsReason) {
   std::string list = mha("", "a.raw\nb.raw\n");
   list.replace(list.find("LOCAL"), 5, "LIST");
   expectError([&] { loadVolume(folder.write("a.mhd", list), {}); }, "2 data files where 4 are needed");
+}
+
+// Of two places the matrix holds; what the other one says cannot make it worse.
+TEST(VolumeHeader, ADamagedQuaternionDoesNotMatterWhereTheMatrixHolds) {
+  const TempFolder folder;
+  for (const auto& [b, offset] : {std::pair(0.9f, 0.f), {NAN, 0.f}, {1e35f, 0.f}, {0.f, INFINITY}}) {
+    const Nifti nifti =
+        Nifti().matrix({2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 2, 7}).set(256, b).set(260, 0.9f).set(268, offset);
+    const LogRecord said;
+    const LoadedVolume loaded = loadVolume(folder.write("a.nii", nifti.text()), {});
+    EXPECT_EQ(loaded.stored.geometry.origin, glm::dvec3(-5, -6, 7));
+    EXPECT_EQ(loaded.stored.geometry.spacing, glm::dvec3(2));
+    const auto warnings = said.sentences(LogLevel::warning);
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const auto& s) {
+      return s.find("makes no sense; the first") != std::string::npos;
+    }));
+  }
+}
+
+// 0 is what some writers leave there.  [nifti1.h: the voxels of one file begin at byte 352 or later]
+TEST(VolumeHeader, NiftiWithoutAnOffsetBeginsWhereTheStandardHasIt) {
+  const TempFolder folder;
+  const LogRecord said;
+  const LoadedVolume loaded = loadVolume(folder.write("a.nii", Nifti().set(108, 0.f).text()), {});
+  EXPECT_EQ(std::string(loaded.numbers.begin(), loaded.numbers.end()), k24);
+  const auto warnings = said.sentences(LogLevel::warning);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                          [](const auto& s) { return s.find("at byte 352") != std::string::npos; }));
 }
 
 // Point 2 of what was found: these were all said to hold no voxels.

@@ -1,5 +1,7 @@
 #include "core/io/headers/nifti_fields.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/headers/unpacking.h"
 
@@ -63,6 +66,21 @@ NiftiFields fieldsOf(const Header& h, const Places& at) {
   return f;
 }
 
+// Where the voxels begin, of an offset that may say nothing: behind the header, and in the same file behind
+// the four bytes that tell of extensions.  [nifti1.h, "VOX_OFFSET"]
+std::int64_t beginOf(std::int64_t offset, std::size_t header, const NiftiFields& f, const fs::path& path) {
+  const auto least = std::int64_t(header);
+  if (offset == 0 && !f.inTwoFiles) {
+    log(LogLevel::warning, fmt::format("The header does not say where its voxels begin; they are taken from "
+                                       "where NIfTI has them, at byte {}.",
+                                       least + 4));
+    return least + 4;
+  }
+  require(offset >= (f.inTwoFiles ? 0 : least) && offset < 1'000'000'000,
+          "{} does not say where its voxels begin; get a fresh copy.", path.string());
+  return offset;
+}
+
 NiftiFields version1(const std::vector<std::uint8_t>& bytes, bool swapped, const fs::path& path) {
   const std::string_view magic(reinterpret_cast<const char*>(bytes.data()) + 344, 3);
   require(magic == "n+1" || magic == "ni1",
@@ -72,9 +90,8 @@ NiftiFields version1(const std::vector<std::uint8_t>& bytes, bool swapped, const
   NiftiFields f = fieldsOf<std::int16_t, float, std::int16_t>(h, kVersion1);
   const float offset = h.get<float>(108);
   f.inTwoFiles = magic == "ni1";
-  require(offset >= (f.inTwoFiles ? 0.f : 348.f) && offset < 1e9f && offset == std::floor(offset),
-          "{} does not say where its voxels begin; get a fresh copy.", path.string());
-  f.offset = std::int64_t(offset);
+  const bool isWhole = std::abs(offset) < 1e9f && offset == std::floor(offset);
+  f.offset = beginOf(isWhole ? std::int64_t(offset) : -1, kBytes1, f, path);
   f.units = h.get<std::uint8_t>(kVersion1.units);
   return f;
 }
@@ -84,10 +101,8 @@ NiftiFields version2(const std::vector<std::uint8_t>& bytes, bool swapped, const
   require(magic == "n+2" || magic == "ni2", "{} is not a NIfTI file; convert it to .nii.gz.", path.string());
   const Header h(bytes, swapped);
   NiftiFields f = fieldsOf<std::int64_t, double, std::int32_t>(h, kVersion2);
-  f.offset = h.get<std::int64_t>(168);
   f.inTwoFiles = magic == "ni2";
-  require(f.offset >= (f.inTwoFiles ? 0 : 540) && f.offset < 1'000'000'000,
-          "{} does not say where its voxels begin; get a fresh copy.", path.string());
+  f.offset = beginOf(h.get<std::int64_t>(168), kBytes2, f, path);
   f.units = h.get<std::int32_t>(kVersion2.units);
   return f;
 }

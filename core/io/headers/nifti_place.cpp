@@ -68,18 +68,22 @@ glm::dvec3 voxelSize(const NiftiFields& f) {
   return size;
 }
 
-// [nifti1.h, "QUATERNION REPRESENTATION OF ROTATION MATRIX"]
-glm::dmat3 rotationOf(const NiftiFields& f, const fs::path& path) {
+// [nifti1.h, "QUATERNION REPRESENTATION OF ROTATION MATRIX"]: 1 less the squares of what is stored.
+double restOf(const NiftiFields& f) {
   const double b = f.quaternion[0], c = f.quaternion[1], d = f.quaternion[2];
-  const double rest = 1 - (b * b + c * c + d * d);
-  require(rest > -1e-3, "The quaternion in {} is no rotation; correct the header.", path.string());
+  return 1 - (b * b + c * c + d * d);
+}
+bool isRotation(const NiftiFields& f) { return restOf(f) > -1e-3; }
+
+glm::dmat3 rotationOf(const NiftiFields& f) {
+  const double b = f.quaternion[0], c = f.quaternion[1], d = f.quaternion[2], rest = restOf(f);
   glm::dmat3 rotation = glm::mat3_cast(glm::normalize(glm::dquat(std::sqrt(std::max(rest, 0.0)), b, c, d)));
   if (f.pixdim[0] < 0) rotation[2] = -rotation[2];
   return rotation;
 }
 
-Place byQuaternion(const NiftiFields& f, const fs::path& path) {
-  const glm::dmat3 rotation = rotationOf(f, path);
+Place byQuaternion(const NiftiFields& f) {
+  const glm::dmat3 rotation = rotationOf(f);
   const glm::dvec3 size = voxelSize(f);
   Place place;
   for (int a = 0; a < 3; ++a) place.steps[a] = rotation[a] * size[a];
@@ -112,7 +116,15 @@ bool differ(const Place& a, const Place& b) {
   return most > size;
 }
 
-void noteContradictions(const NiftiFields& f, const Place& place, const fs::path& path) {
+// In a float header what is not a number in its range is damage.
+bool isSound(double v) { return std::isfinite(v) && (v == 0 || std::abs(v) > 1e-30) && std::abs(v) < 1e30; }
+
+bool hasSoundQuaternion(const NiftiFields& f) {
+  return std::all_of(f.quaternion.begin(), f.quaternion.end(), isSound) &&
+         std::all_of(f.qoffset.begin(), f.qoffset.end(), isSound);
+}
+
+void noteContradictions(const NiftiFields& f, const Place& place) {
   for (int a = 0; a < 3; ++a) {
     const double given = std::abs(f.pixdim[std::size_t(a) + 1]), length = glm::length(place.steps[a]);
     if (given == 0 || std::abs(given - length) <= 1e-3 * length) continue;
@@ -120,23 +132,25 @@ void noteContradictions(const NiftiFields& f, const Place& place, const fs::path
         "The sizes of voxels in the header (pixdim) are not those of its matrix (sform); the matrix holds.");
     break;
   }
-  if (f.qformCode > 0 && differ(byQuaternion(f, path), place))
+  if (f.qformCode <= 0) return;
+  if (!hasSoundQuaternion(f) || !isRotation(f))
+    log(LogLevel::warning,
+        "The header gives a second place (qform) that makes no sense; the first (sform) holds.");
+  else if (differ(byQuaternion(f), place))
     log(LogLevel::warning, "The header gives two places, sform and qform, which differ; sform holds.");
 }
 
-// In a float header what is not a number in its range is damage.
+// What is read of the place: sform where there is one, else qform.
 void checkNumbers(const NiftiFields& f, const fs::path& path) {
-  const auto sound = [](double v) {
-    return std::isfinite(v) && (v == 0 || std::abs(v) > 1e-30) && std::abs(v) < 1e30;
-  };
-  require(std::all_of(f.pixdim.begin(), f.pixdim.begin() + 4, sound),
+  require(std::all_of(f.pixdim.begin(), f.pixdim.begin() + 4, isSound),
           "The spacing in {} makes no sense; correct the header.", path.string());
-  bool all = true;
-  for (std::size_t r = 0; r < 3; ++r) {
-    all = all && (f.qformCode <= 0 || (sound(f.quaternion[r]) && sound(f.qoffset[r])));
-    all = all && (f.sformCode <= 0 || std::all_of(f.srow[r].begin(), f.srow[r].end(), sound));
-  }
+  const bool byMatrix = f.sformCode > 0, byRotation = !byMatrix && f.qformCode > 0;
+  bool all = !byRotation || hasSoundQuaternion(f);
+  for (std::size_t r = 0; r < 3; ++r)
+    all = all && (!byMatrix || std::all_of(f.srow[r].begin(), f.srow[r].end(), isSound));
   require(all, "The origin or the direction of the axes in {} makes no sense; correct the header.",
+          path.string());
+  require(!byRotation || isRotation(f), "The quaternion in {} is no rotation; correct the header.",
           path.string());
 }
 
@@ -145,8 +159,8 @@ void checkNumbers(const NiftiFields& f, const fs::path& path) {
 void placeNifti(const NiftiFields& f, StoredVolume& stored, const fs::path& path) {
   checkNumbers(f, path);
   const bool sized = f.pixdim[1] != 0 && f.pixdim[2] != 0 && f.pixdim[3] != 0;
-  const Place place = f.sformCode > 0 ? byMatrix(f) : f.qformCode > 0 ? byQuaternion(f, path) : bySize(f);
-  if (f.sformCode > 0) noteContradictions(f, place, path);
+  const Place place = f.sformCode > 0 ? byMatrix(f) : f.qformCode > 0 ? byQuaternion(f) : bySize(f);
+  if (f.sformCode > 0) noteContradictions(f, place);
   if (f.sformCode <= 0 && f.qformCode <= 0)
     log(LogLevel::warning,
         "The file does not say where left and right are; its axes are taken for those of RAS.");
