@@ -155,6 +155,7 @@ TEST(VolumeHeader, MetaImageIsRefusedWithItsReason) {
   refuses("Kinds = domain domain\n", "3 words");
   refuses("HeaderSize = -1\nCompressedData = True\n", "HeaderSize");
   refuses("A : b = 1\n", "read in different ways");
+  refuses("Kinds = RGB-color domain domain\nElementNumberOfChannels = 3\n", "colours both as");
   std::string list = mha("", "a.raw\nb.raw\n");
   list.replace(list.find("LOCAL"), 5, "LIST");
   expectError([&] { loadVolume(folder.write("a.mhd", list), {}); }, "2 data files where 4 are needed");

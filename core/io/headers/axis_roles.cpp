@@ -29,6 +29,9 @@ void setComponents(const std::vector<AxisRole>& roles, DeclaredData& data, const
           "{} has colours that are not red, green and blue; save it in grey.", path.string());
   const std::vector<int> axes = axesWith(roles, {AxisRole::colour, AxisRole::vector});
   if (axes.empty()) return;
+  require(data.stored.components == 1,
+          "{} has colours both as numbers of a voxel and along an axis; save it with one of them.",
+          path.string());
   const std::int64_t size = data.sizes[std::size_t(axes[0])];
   const bool colour = roles[std::size_t(axes[0])] == AxisRole::colour;
   const bool likeColour = data.type == NumberType::uint8 && (size == 3 || size == 4);
