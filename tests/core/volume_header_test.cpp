@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/base/log.h"
+#include "core/io/header_text.h"
 #include "core/io/headers/units.h"
 #include "core/io/volume_loader.h"
 #include "tests/support/expect_error.h"
@@ -129,7 +130,7 @@ TEST(VolumeHeader, NrrdPackedInWaysThatAreDamagedOrUnknown) {
     text.replace(text.find("raw"), 3, how);
     return [&folder, text] { loadVolume(folder.write("a.nrrd", text), {}); };
   };
-  expectError(packed("zrl", k24), "\"zrl\", which is not known here");
+  expectError(packed("zrl", k24), "an encoding that is not known here");
   expectError(packed("bzip2", "BZh9 and no more than this"), "damaged");
   expectError(packed("bzip2", "BZh9"), "ends before");
   expectError(packed("hex", "00 11 22"), "ends before");
@@ -151,14 +152,104 @@ TEST(VolumeHeader, MetaImageIsRefusedWithItsReason) {
           "direction of the axes twice");
   refuses("TransformMatrix = 1 0 0 0 1 0 0 0\n", "9 finite numbers");
   refuses("TransformMatrix = 1 0 0 0 1 0 0 0.5 1\n", "right angles");
-  refuses("ElementNumberOfChannels = 2\n", "numbers per voxel");
+  refuses("ElementNumberOfChannels = 2\n", "ElementNumberOfChannels");
   refuses("Kinds = domain domain\n", "3 words");
   refuses("HeaderSize = -1\nCompressedData = True\n", "HeaderSize");
-  refuses("A : b = 1\n", "read in different ways");
+  refuses("A : b = 1\n", "a key in line 6 that programs read in different ways");
   refuses("Kinds = RGB-color domain domain\nElementNumberOfChannels = 3\n", "colours both as");
   std::string list = mha("", "a.raw\nb.raw\n");
   list.replace(list.find("LOCAL"), 5, "LIST");
   expectError([&] { loadVolume(folder.write("a.mhd", list), {}); }, "2 data files where 4 are needed");
+}
+
+// A header's own words may be a patient's name: a refusal names the field or the line.
+TEST(VolumeHeader, RefusalsRepeatNoWordOfTheFile) {
+  const TempFolder folder;
+  const std::string who = "Featherstone";
+  const auto refuses = [&](const std::string& name, const std::string& text, const std::string& part) {
+    SCOPED_TRACE(text.substr(0, 300));
+    try {
+      loadVolume(folder.write(name, text), {});
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      const std::string sentence = lowerCase(error.what());
+      EXPECT_EQ(sentence.find("featherstone"), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+    }
+  };
+  const auto with = [&](std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+  };
+  refuses("a.mha", mha(who + ": a = 1\n"), "line 6");
+  refuses("a.mha", mha(who + " = 1\n" + who + " = 2\n"), "line 7");
+  refuses("a.mha", with(mha(""), "MET_UCHAR", who), "elementtype");
+  refuses("a.mha", mha("ElementNumberOfChannels = " + who + "\n"), "elementnumberofchannels");
+  refuses("a.mha", mha("TransformMatrix = " + who + "\n"), "9 finite numbers");
+  refuses("a.mhd", with(mha(""), "LOCAL", who + ".raw"), "not beside it");
+  refuses(
+      "a.mhd",
+      with(mha("", who + "0.raw\n" + who + "1.raw\n" + who + "2.raw\n" + who + "3.raw\n"), "LOCAL", "LIST"),
+      "not beside it");
+  refuses("a.nrrd", nrrd(who + ": 1\n" + who + ": 1\n"), "line 7");
+  refuses("a.nrrd", with(nrrd(""), "raw", who), "encoding");
+  refuses("a.nrrd", nrrd("byte skip: " + who + "\n"), "byte skip");
+  refuses("a.nrrd", nrrd("", k24, who), "type");
+  refuses("a.nrrd", nrrd("space: " + who + "\n"), "space");
+  refuses("a.nhdr", nrrd("data file: LIST " + who + "\n" + who + ".raw\n"), "dimensions");
+  refuses("a.nhdr", nrrd("data file: " + who + ".raw\n"), "not beside it");
+  refuses("a.vtk", vtk(who + " 1\nPOINT_DATA 24\n"), "a line before its point_data");
+  refuses("a.vtk", vtk("POINT_DATA 24\n" + who + "\n"), "a line behind its point_data");
+  refuses("a.vtk", vtk("POINT_DATA 24\n" + who + " a b c\n"), "a line behind its point_data");
+  refuses("a.vtk", vtk("POINT_DATA 24\nSCALARS a " + who + "\n"), "type");
+  refuses("a.dat", "ObjectFileName: " + who + ".raw\nResolution: 4 3 2\nFormat: UCHAR\n", "not beside it");
+  refuses("a.dat", "ObjectFileName: a.raw\nResolution: 4 3 2\nFormat: " + who + "\n", "");
+}
+
+// What is wrong with a data file that is there, in every way to pack it.
+TEST(VolumeHeader, DataFilesAreSpokenOfByTheirHeader) {
+  const TempFolder folder;
+  for (const auto& [encoding, bytes] : {std::pair<std::string, std::string>{"raw", "\x80"},
+                                        {"gzip", "\x1f\x8b Featherstone"},
+                                        {"bzip2", "BZh9Featherstone"},
+                                        {"ascii", "1 2 3 Featherstone"},
+                                        {"hex", std::string(48, 'z')},
+                                        {"raw", ""}}) {
+    folder.write("Featherstone.raw", bytes);
+    for (const std::string skip : {"", "line skip: 3\n"}) {
+      std::string text = nrrd(skip + "data file: Featherstone.raw\n");
+      text.replace(text.find("raw"), 3, encoding);
+      try {
+        loadVolume(folder.write("a.nhdr", text), {});
+        ADD_FAILURE() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find("Featherstone"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("a.nhdr"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+// LIST is a word of its own, in large letters, as in Teem and MetaIO: a name may begin with it.
+TEST(VolumeHeader, ADataFileMayBeCalledListSomething) {
+  const TempFolder folder;
+  std::string bytes;
+  for (char c = 0; c < 24; ++c) bytes += c;
+  for (const std::string name : {"list1.raw", "LISTING.raw", "listing", "list"}) {
+    folder.write(name, bytes);
+    std::string meta = mha("Offset = 1 2 3\n", "");
+    meta.replace(meta.find("LOCAL"), 5, name);
+    const LoadedVolume fromMeta = loadVolume(folder.write("a.mhd", meta), {});
+    EXPECT_EQ(std::string(fromMeta.numbers.begin(), fromMeta.numbers.end()), bytes) << name;
+    EXPECT_EQ(fromMeta.stored.geometry.origin, glm::dvec3(1, 2, 3)) << name;
+    // Fields behind the name hold as well.
+    const LoadedVolume fromNrrd = loadVolume(
+        folder.write("a.nhdr",
+                     "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 3 4\nencoding: raw\ndata file: " + name +
+                         "\nspace: LPS\nspace directions: (2,0,0) (0,3,0) (0,0,4)\n"),
+        {});
+    EXPECT_EQ(std::string(fromNrrd.numbers.begin(), fromNrrd.numbers.end()), bytes) << name;
+    EXPECT_EQ(fromNrrd.stored.geometry.spacing, glm::dvec3(2, 3, 4)) << name;
+  }
 }
 
 // Of two places the matrix holds; what the other one says cannot make it worse.

@@ -180,7 +180,7 @@ TEST(ReadScan, ReadsDetachedHeadersOfTheSameFolderOnly) {
   head.replace(head.find("LOCAL"), 5, "../a.raw");
   expectError([&] { readScan(folder.write("b.mhd", head)); }, "outside of its own folder");
   head.replace(head.find("../a.raw"), 8, "none.raw");
-  expectError([&] { readScan(folder.write("c.mhd", head)); }, "no file");
+  expectError([&] { readScan(folder.write("c.mhd", head)); }, "not beside it");
 }
 
 TEST(ReadScan, RefusesWhatIsNoVolume) {

@@ -82,7 +82,7 @@ TEST(VoreenDat, RefusesWhatItDoesNotKnow) {
   refuses("ObjectFileName: a.raw\nResolution: 4 3 1\nFormat: UCHAR\n", "Resolution");
   refuses(dat("Format: UCHAR\nNumFrames: 0\n"), "NumFrames");
   refuses(std::string("ObjectFileName: a\x01.raw\nResolution: 4 3 2\nFormat: UCHAR\n"), "is not text");
-  refuses("ObjectFileName: gone.raw\nResolution: 4 3 2\nFormat: UCHAR\n", "no file");
+  refuses("ObjectFileName: gone.raw\nResolution: 4 3 2\nFormat: UCHAR\n", "not beside it");
 }
 
 std::string vvd(const std::string& volume) {

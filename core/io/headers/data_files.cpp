@@ -1,17 +1,18 @@
 #include "core/io/headers/data_files.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/io/header_text.h"
+#include "core/io/file_bytes.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr long kMostFiles = 65535;
+constexpr std::size_t kMostFiles = 65535;
 
 // A conversion such as %d, %3d or %03d; printf() itself would obey whatever a stranger has written.
 struct Conversion {
@@ -35,6 +36,35 @@ std::optional<Conversion> conversionIn(std::string_view name) {
 
 }  // namespace
 
+std::uintmax_t dataFileSize(const fs::path& file, const fs::path& header) {
+  if (file == header) return fileSize(header);
+  std::error_code code;
+  require(fs::is_regular_file(file, code),
+          "{} names a data file that is not beside it; put both into one folder, or correct the header.",
+          header.string());
+  require(::access(file.c_str(), R_OK) == 0,
+          "{} names a data file that may not be read; check its permissions.", header.string());
+  const std::uintmax_t size = fs::file_size(file, code);
+  require(!code && size > 0, "{} names a data file that is empty; get a fresh copy.", header.string());
+  return size;
+}
+
+bool isFileList(std::string_view text) {
+  const auto parts = words(text);
+  return !parts.empty() && parts[0] == "LIST";
+}
+
+std::vector<std::string> listedFiles(HeaderLines& lines, const fs::path& header) {
+  std::vector<std::string> files;
+  while (const auto line = lines.next()) {
+    if (trimmed(*line).empty()) continue;
+    require(files.size() < kMostFiles, "{} names more than {} data files; save it as one file.",
+            header.string(), kMostFiles);
+    files.emplace_back(trimmed(*line));
+  }
+  return files;
+}
+
 bool isPattern(std::string_view text) {
   const auto parts = words(text);
   return parts.size() >= 3 && parts[0].find('%') != std::string_view::npos &&
@@ -53,8 +83,8 @@ FilePattern patternOf(std::string_view text, const fs::path& header) {
               std::abs(*step) <= 1'000'000'000 && (*last - *first) / *step >= 0,
           "{} names its data files by a pattern that is not known here; list them one by one.",
           header.string());
-  require((*last - *first) / *step < kMostFiles, "{} names more than {} data files; save it as one file.",
-          header.string(), kMostFiles);
+  require(std::size_t((*last - *first) / *step) < kMostFiles,
+          "{} names more than {} data files; save it as one file.", header.string(), kMostFiles);
   return {std::string(parts[0]), *first, *last, *step};
 }
 

@@ -18,10 +18,12 @@ namespace sonoskin {
 enum class Encoding { raw, packed, bzip2, text, hex };
 
 // DataPart: a file, or a part of one, that holds numbers.
+//   header  is what sentences name, as a name that stands in it may be a patient's
 struct DataPart {
   std::filesystem::path file;
   std::uintmax_t offset = 0;  // where the data begin
   std::uintmax_t bytes = 0;   // of the packed data; 0: all that is left of the file
+  std::filesystem::path header{};
 };
 
 // DeclaredData: what a header says.
@@ -65,5 +67,9 @@ std::uint64_t numbersIn(const DeclaredData& data, const std::filesystem::path& p
 // nothing.
 //   output  data.slope, data.intercept; stored.type, a real one where they change anything
 void setScale(DeclaredData& data, double slope, double intercept);
+
+// takeKeys: the beam, the range and, of a row of pictures, the places that a header's own keys give.
+//   errors  as posesFrom
+void takeKeys(const HeaderKeys& keys, DeclaredData& data, const std::filesystem::path& path);
 
 }  // namespace sonoskin

@@ -27,6 +27,12 @@ DeclaredData headerOf(FileFormat format, const fs::path& path) {
 
 }  // namespace
 
+void takeKeys(const HeaderKeys& keys, DeclaredData& data, const fs::path& path) {
+  data.stored.beam = beamFromKeys(keys);
+  data.stored.unitRange = rangeFromKeys(keys);
+  if (data.poses) *data.poses = posesFrom(keys, path);
+}
+
 LoadedVolume readDeclared(FileFormat format, const fs::path& path, int time, const Progress& progress) {
   progress.update(0);
   const DeclaredData data = headerOf(format, path);

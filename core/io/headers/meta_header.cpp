@@ -30,16 +30,16 @@ std::optional<NumberType> typeOf(std::string_view name) {
 
 void readType(const MetaFields& meta, DeclaredData& data, const fs::path& path) {
   const auto type = typeOf(meta["ElementType"]);
-  require(
-      type.has_value(),
-      "{} has numbers of the type \"{}\", which is not known here; save it with whole numbers or as float.",
-      path.string(), meta["ElementType"].substr(0, 20));
+  require(type.has_value(),
+          "{} has an ElementType that is not known here; save it with whole numbers or as float.",
+          path.string());
   data.type = data.stored.type = *type;
   const std::string_view channels = meta["ElementNumberOfChannels"];
   const auto components = parseNumber<int>(channels.empty() ? "1" : channels);
   require(components && (*components == 1 || *components == 3 || *components == 4),
-          "{} has \"{}\" numbers per voxel; a volume has one, or three or four of colour.", path.string(),
-          channels.substr(0, 20));
+          "The ElementNumberOfChannels of {} is none of 1, 3 and 4; save it with one number per voxel, or "
+          "with three or four of colour.",
+          path.string());
   data.stored.components = *components;
 }
 
@@ -87,7 +87,7 @@ void placeParts(const MetaFields& meta, DeclaredData& data, const fs::path& path
     data.parts = {{path, meta.bytes}};
     return;
   }
-  const bool list = small.starts_with("list");
+  const bool list = isFileList(file);
   if (!list && !isPattern(file)) {
     data.parts = {{besideHeader(path, file)}};
     return;
@@ -138,9 +138,7 @@ DeclaredData metaData(const fs::path& path) {
   readByteOrder(meta, data);
   placeParts(meta, data, path);
   readEncoding(meta, data, path);
-  data.stored.beam = beamFromKeys(meta.keys);
-  data.stored.unitRange = rangeFromKeys(meta.keys);
-  if (data.poses) *data.poses = posesFrom(meta.keys, path);
+  takeKeys(meta.keys, data, path);
   return data;
 }
 

@@ -4,29 +4,16 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/io/headers/data_files.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr std::size_t kMostFiles = 65535;
-
-void takeFiles(HeaderLines& lines, NrrdFields& nrrd, const fs::path& path) {
-  while (const auto line = lines.next()) {
-    if (trimmed(*line).empty()) continue;
-    require(nrrd.files.size() < kMostFiles, "{} names more than {} data files; save it as one file.",
-            path.string(), kMostFiles);
-    nrrd.files.emplace_back(trimmed(*line));
-  }
-}
-
-}  // namespace
 
 NrrdFields parseNrrd(std::string_view text, const fs::path& path) {
   NrrdFields nrrd;
   HeaderLines lines(text, path);
   lines.next();  // the magic
-  while (const auto line = lines.next()) {
+  for (int number = 2; const auto line = lines.next(); ++number) {
     nrrd.bytes = lines.position();
     nrrd.ended = line->empty();
     if (nrrd.ended) break;
@@ -39,10 +26,10 @@ NrrdFields parseNrrd(std::string_view text, const fs::path& path) {
     std::string name = lowerCase(line->substr(0, colon));
     std::erase(name, ' ');
     const std::string_view value = trimmed(line->substr(colon + 1));
-    require(nrrd.fields.emplace(name, value).second, "{} has the field \"{}\" twice; get a fresh copy.",
-            path.string(), name.substr(0, 20));
-    if (name == "datafile" && lowerCase(value.substr(0, 4)) == "list") {
-      takeFiles(lines, nrrd, path);
+    require(nrrd.fields.emplace(name, value).second,
+            "{} has the field of line {} there twice; get a fresh copy.", path.string(), number);
+    if (name == "datafile" && isFileList(value)) {
+      nrrd.files = listedFiles(lines, path);
       break;
     }
   }

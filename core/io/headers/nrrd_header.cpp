@@ -72,9 +72,8 @@ Encoding encodingOf(const NrrdFields& nrrd, const fs::path& path) {
       {"text", Encoding::text},   {"ascii", Encoding::text},  {"hex", Encoding::hex}};
   const std::string name = lowerCase(nrrd["encoding"]);
   const auto found = encodings.find(name);
-  require(found != encodings.end(),
-          "{} is packed in the way \"{}\", which is not known here; save it with gzip or raw.", path.string(),
-          name.substr(0, 20));
+  require(found != encodings.end(), "{} has an encoding that is not known here; save it with gzip or raw.",
+          path.string());
   return found->second;
 }
 
@@ -95,8 +94,7 @@ void readSkips(const NrrdFields& nrrd, DeclaredData& data, const fs::path& path)
   const auto lines = number("lineskip"), bytes = number("byteskip");
   require(lines && *lines >= 0, "{} has a line skip that makes no sense; correct the header.", path.string());
   require(bytes && (*bytes >= 0 || (*bytes == -1 && data.encoding == Encoding::raw)),
-          "{} has a byte skip of \"{}\", which its encoding does not allow; correct the header.",
-          path.string(), nrrd["byteskip"].substr(0, 20));
+          "{} has a byte skip that its encoding does not allow; correct the header.", path.string());
   data.linesSkipped = *lines;
   data.bytesSkipped = std::uintmax_t(std::max<std::int64_t>(*bytes, 0));
   data.lastBytes = *bytes == -1;
@@ -107,8 +105,8 @@ void readSkips(const NrrdFields& nrrd, DeclaredData& data, const fs::path& path)
 void checkParts(const DeclaredData& data, std::string_view subdim, const fs::path& path) {
   const auto given = parseNumber<std::size_t>(subdim);
   require(subdim.empty() || (given && *given >= 1 && *given <= data.sizes.size()),
-          "{} says that its data files have \"{}\" dimensions; correct the header.", path.string(),
-          subdim.substr(0, 20));
+          "{} gives its data files a number of dimensions that they cannot have; correct the header.",
+          path.string());
   const std::size_t inEach = given.value_or(data.sizes.size() - 1);
   std::uint64_t files = 1;
   numbersIn(data, path);  // sizes are in range
@@ -123,7 +121,7 @@ void placeData(const NrrdFields& nrrd, DeclaredData& data, const fs::path& path)
   const std::string_view file = nrrd["datafile"];
   std::vector<std::string> names = nrrd.files;
   const auto parts = words(file);
-  const bool list = !parts.empty() && lowerCase(parts[0]) == "list";
+  const bool list = isFileList(file);
   if (isPattern(file)) names = namesOf(patternOf(file, path));
   if (list || isPattern(file)) {
     require(!names.empty(), "{} names no data files; correct the header.", path.string());
@@ -143,19 +141,16 @@ DeclaredData nrrdData(const fs::path& path) {
   DeclaredData data;
   data.sizes = sizesOf(nrrd, path);
   const auto type = typeOf(nrrd["type"]);
-  require(
-      type.has_value(),
-      "{} has numbers of the type \"{}\", which is not known here; save it with whole numbers or as float.",
-      path.string(), nrrd["type"].substr(0, 20));
+  require(type.has_value(),
+          "{} has numbers of a type that is not known here; save it with whole numbers or as float.",
+          path.string());
   data.type = data.stored.type = *type;
   placeNrrd(nrrd, data, path);
   data.encoding = encodingOf(nrrd, path);
   readByteOrder(nrrd, data, path);
   readSkips(nrrd, data, path);
   placeData(nrrd, data, path);
-  data.stored.beam = beamFromKeys(nrrd.keys);
-  data.stored.unitRange = rangeFromKeys(nrrd.keys);
-  if (data.poses) *data.poses = posesFrom(nrrd.keys, path);
+  takeKeys(nrrd.keys, data, path);
   return data;
 }
 

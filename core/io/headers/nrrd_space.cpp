@@ -49,9 +49,8 @@ std::string plainName(std::string_view text) {
 void applyName(const NrrdFields& nrrd, NrrdSpace& space, const fs::path& path) {
   const std::string name = plainName(nrrd["space"]);
   const auto found = namedSpaces().find(name);
-  require(found != namedSpaces().end(),
-          "{} lies in a space \"{}\", which NRRD does not have; correct the header.", path.string(),
-          nrrd["space"].substr(0, 30));
+  require(found != namedSpaces().end(), "{} names a space which NRRD does not have; correct the header.",
+          path.string());
   require(space.dimension == 0 || space.dimension == found->second.dimension,
           "{} has a space and a space dimension that contradict each other; correct the header.",
           path.string());

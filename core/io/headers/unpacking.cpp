@@ -90,16 +90,16 @@ void unpackWith(Library& library, const DataPart& part, std::uintmax_t bytes, co
       input = std::span(in).first(std::size_t(file.gcount()));
       left -= input.size();
       require(!input.empty(), "{} ends before all of its voxels; the copy is incomplete, get a fresh one.",
-              part.file.string());
+              part.header.string());
     }
     if (ended) library.restart();  // files may be several streams, one after another
     const std::optional<Step> step = library.step(input, out);
-    if (!step || (step->taken == 0 && step->given == 0 && !step->ended)) failDamaged(part.file);
+    if (!step || (step->taken == 0 && step->given == 0 && !step->ended)) failDamaged(part.header);
     input = input.subspan(step->taken);
     unpacked += step->given;
     sink(std::span<const std::uint8_t>(out).first(step->given));
     require(unpacked <= bytes + kChunk, "{} holds more than its header declares; get a fresh copy.",
-            part.file.string());
+            part.header.string());
     ended = step->ended;
   }
 }

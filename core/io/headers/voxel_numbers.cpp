@@ -129,7 +129,7 @@ Bytes readNumbers(const DeclaredData& data, const fs::path& path, int step, cons
   const std::uintmax_t wanted = std::accumulate(axes.begin(), axes.end(), size,
                                                 [](std::size_t n, const Axis& a) { return n * a.size; });
   const Stretch range = plain ? Stretch{first * size, first * size + wanted} : Stretch{0, all};
-  Bytes bytes = readStretch(data, range, all, progress);
+  Bytes bytes = readStretch(data, range, all, path, progress);
   toThisOrder(data, bytes);
   if (!plain) bytes = gathered(bytes, first, axes, size);
   if (data.slope == 1 && data.intercept == 0) return bytes;

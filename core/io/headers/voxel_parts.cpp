@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/io/headers/data_files.h"
 #include "core/io/headers/text_numbers.h"
 #include "core/io/headers/unpacking.h"
 
@@ -54,20 +54,20 @@ void skipLines(DataPart& part, std::int64_t lines) {
   file.seekg(std::streamoff(part.offset));
   for (std::uintmax_t n = 0; lines > 0 && n < kLongestLines; ++n) {
     const int c = file.get();
-    if (c == std::char_traits<char>::eof()) failTruncated(part.file);
+    if (c == std::char_traits<char>::eof()) failTruncated(part.header);
     ++part.offset;
     lines -= c == '\n';
   }
   require(lines == 0, "The lines to be skipped in {} are longer than lines are; save it again without.",
-          part.file.string());
+          part.header.string());
 }
 
 // Refuses a part that cannot hold its bytes, before memory is taken for them.
 void checkPart(const DeclaredData& data, const DataPart& part, std::uintmax_t bytes) {
-  const std::uintmax_t size = fileSize(part.file);
+  const std::uintmax_t size = dataFileSize(part.file, part.header);
   require(data.bytesSkipped <= kMostSkipped, "{} ends before its voxels begin; get a fresh copy.",
-          part.file.string());
-  if (part.offset >= size || part.bytes > size - part.offset) failTruncated(part.file);
+          part.header.string());
+  if (part.offset >= size || part.bytes > size - part.offset) failTruncated(part.header);
   const std::uintmax_t left = part.bytes > 0 ? part.bytes : size - part.offset,
                        all = bytes + data.bytesSkipped;
   const std::uintmax_t numbers = bytes / numberTypeBytes(data.type);
@@ -77,7 +77,7 @@ void checkPart(const DeclaredData& data, const DataPart& part, std::uintmax_t by
   if (data.encoding == Encoding::bzip2) fits = all <= kTrusted || all / kBzip2Ratio <= left;
   if (data.encoding == Encoding::text) fits = numbers <= left / 2 + 1;
   if (data.encoding == Encoding::hex) fits = bytes <= left / 2;
-  if (!fits) failTruncated(part.file);
+  if (!fits) failTruncated(part.header);
 }
 
 void readRaw(const DataPart& part, const Stretch& within, Bytes& out, const Progress& progress) {
@@ -90,7 +90,7 @@ void readRaw(const DataPart& part, const Stretch& within, Bytes& out, const Prog
     progress.update(double(done) / double(count));
     const std::size_t piece = std::min(kPiece, count - done);
     file.read(reinterpret_cast<char*>(out.data() + begin + done), std::streamsize(piece));
-    if (std::size_t(file.gcount()) != piece) failTruncated(part.file);
+    if (std::size_t(file.gcount()) != piece) failTruncated(part.header);
   }
 }
 
@@ -98,9 +98,9 @@ void readText(const DeclaredData& data, const DataPart& part, std::uintmax_t byt
   std::ifstream file(part.file, std::ios::binary);
   file.seekg(std::streamoff(part.offset + data.bytesSkipped));
   if (data.encoding == Encoding::hex)
-    readHexBytes(file, bytes, part.file, sink);
+    readHexBytes(file, bytes, part.header, sink);
   else
-    readTextNumbers(file, data.type, bytes / numberTypeBytes(data.type), part.file, sink);
+    readTextNumbers(file, data.type, bytes / numberTypeBytes(data.type), part.header, sink);
 }
 
 // Share: what one part holds of all bytes.
@@ -111,10 +111,11 @@ struct Share {
 void readPart(const DeclaredData& data, DataPart part, const Share& share, Window& window,
               const Progress& progress) {
   const std::uintmax_t at = share.at, bytes = share.bytes;
+  const std::uintmax_t size = dataFileSize(part.file, part.header);
   skipLines(part, data.linesSkipped);
   checkPart(data, part, bytes);
   if (data.encoding == Encoding::raw) {
-    if (data.lastBytes) part.offset = fileSize(part.file) - bytes;
+    if (data.lastBytes) part.offset = size - bytes;
     if (!data.lastBytes) part.offset += data.bytesSkipped;
     if (const Stretch within = window.within(at, bytes); within.first < within.last)
       readRaw(part, within, window.out(), progress);
@@ -139,7 +140,7 @@ void readPart(const DeclaredData& data, DataPart part, const Share& share, Windo
 
 }  // namespace
 
-Bytes readStretch(const DeclaredData& data, const Stretch& range, std::uintmax_t all,
+Bytes readStretch(const DeclaredData& data, const Stretch& range, std::uintmax_t all, const fs::path& path,
                   const Progress& progress) {
   Bytes bytes;
   bytes.reserve(std::size_t(std::min(range.last - range.first, kTrusted)));
@@ -147,7 +148,9 @@ Bytes readStretch(const DeclaredData& data, const Stretch& range, std::uintmax_t
   const std::uintmax_t inEach = all / data.parts.size();
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
     const double from = double(p) / double(data.parts.size()), to = double(p + 1) / double(data.parts.size());
-    readPart(data, data.parts[p], {p * inEach, inEach}, window, progress.part(from, to));
+    DataPart part = data.parts[p];
+    part.header = path;
+    readPart(data, part, {p * inEach, inEach}, window, progress.part(from, to));
   }
   return bytes;
 }

@@ -15,8 +15,10 @@ struct Stretch {
 
 // readStretch: a stretch of the `all` bytes that the header declares, as they are stored, words turned into
 // this machine's bytes.
-//   errors  Error: a part ends before its share of all bytes, is damaged or no numbers; Cancelled
+//   input   path  of the header
+//   errors  Error: a part is not there, ends before its share of all bytes, is damaged or no numbers;
+//           Cancelled
 std::vector<std::uint8_t> readStretch(const DeclaredData& data, const Stretch& stretch, std::uintmax_t all,
-                                      const Progress& progress = {});
+                                      const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace sonoskin

@@ -43,8 +43,8 @@ Block announced(const std::string& keyword, const Words& line, bool binary, cons
       {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
       {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
   const std::size_t needed = keyword == "texture_coordinates" ? 4 : 3;
-  require(line.size() >= needed, "{} has a line \"{}\" that is not complete; get a fresh copy.",
-          path.string(), line[0].substr(0, 20));
+  require(line.size() >= needed,
+          "{} has a line behind its POINT_DATA that is not complete; get a fresh copy.", path.string());
   Block block;
   if (keyword == "scalars") {
     block.type = typeOf(line[2], path);
@@ -58,8 +58,9 @@ Block announced(const std::string& keyword, const Words& line, bool binary, cons
     block.type = typeOf(line[3], path);
   } else {
     const auto found = fixed.find(keyword);
-    require(found != fixed.end(), "{} has a line \"{}\" that is not known here; save it again without.",
-            path.string(), line[0].substr(0, 20));
+    require(found != fixed.end(),
+            "{} has a line behind its POINT_DATA that is not known here; save it again without.",
+            path.string());
     block.components = found->second;
     block.type = typeOf(line[2], path);
   }

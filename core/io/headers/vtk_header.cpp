@@ -81,8 +81,9 @@ void readLine(const std::string& keyword, const Words& line, VtkText& text, Grid
   } else if (keyword == "field") {
     skipVtkField(line, text, path);
   } else {
-    require(keyword == "metadata", "{} has a line \"{}\" that is not known here; save it again without.",
-            path.string(), line[0].substr(0, 20));
+    require(keyword == "metadata",
+            "{} has a line before its POINT_DATA that is not known here; save it again without.",
+            path.string());
     skipVtkMetadata(text);
   }
 }

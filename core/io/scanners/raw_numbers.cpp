@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/log.h"
-#include "core/io/file_bytes.h"
+#include "core/io/headers/data_files.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -40,14 +40,14 @@ std::uint64_t countNumbers(const glm::ivec3& dims, int components, const fs::pat
 }
 
 std::vector<std::uint8_t> readNumbers(const RawNumbers& n, const fs::path& path) {
-  const std::uint64_t size = fileSize(n.file), frame = n.frame * numberTypeBytes(n.type);
+  const std::uint64_t size = dataFileSize(n.file, path), frame = n.frame * numberTypeBytes(n.type);
   checkTime(n.step, n.timeSteps, path);
   const std::uint64_t all = frame * std::uint64_t(n.timeSteps);
   const std::uint64_t header = n.header >= 0 ? std::uint64_t(n.header) : size - std::min(all, size);
   require(header <= size && all <= size - header,
           "{} has {} bytes, but {} time step{} of {} numbers of {} after {} bytes take {}; correct what is "
           "said of it, or get a fresh copy.",
-          n.file.string(), size, n.timeSteps, n.timeSteps == 1 ? "" : "s", n.frame, numberTypeName(n.type),
+          path.string(), size, n.timeSteps, n.timeSteps == 1 ? "" : "s", n.frame, numberTypeName(n.type),
           header, all);
   noteRest(size - header - all, frame);
   std::vector<std::uint8_t> numbers(frame);
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> readNumbers(const RawNumbers& n, const fs::path& path)
   file.seekg(std::streamoff(header + frame * std::uint64_t(n.step - 1)));
   file.read(reinterpret_cast<char*>(numbers.data()), std::streamsize(numbers.size()));
   require(bool(file), "The file {} cannot be read to its end; check its permissions, or get a fresh copy.",
-          n.file.string());
+          path.string());
   if (n.byteOrder == ByteOrder::big) swapBytes(numbers, numberTypeBytes(n.type));
   return numbers;
 }

@@ -10,6 +10,7 @@
 #include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/header_text.h"
+#include "core/io/headers/data_files.h"
 #include "core/io/scanners/raw_numbers.h"
 #include "core/io/text_keys.h"
 
@@ -110,7 +111,7 @@ LoadedVolume readVoreenDat(const fs::path& path, const ReadOptions& options, con
   stored.format = "Voreen .dat";
   stored.geometry.dims = dimsOf(text);
   const std::uint64_t voxels = countNumbers(stored.geometry.dims, 1, path);
-  const Kind kind = kindOf(text, voxels * std::uint64_t(framesOf(text)), fileSize(numbers.file));
+  const Kind kind = kindOf(text, voxels * std::uint64_t(framesOf(text)), dataFileSize(numbers.file, path));
   stored.type = numbers.type = kind.type;
   stored.components = kind.components;
   stored.timeSteps = numbers.timeSteps = framesOf(text);
