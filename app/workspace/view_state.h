@@ -97,7 +97,8 @@ struct ViewState {
 
   // trail: where the mouse was in the window since the frame before; what is drawn by hand goes through it.
   std::vector<glm::vec2> trail;
-  double lassoDepth = 0;  // mm behind what is seen first, or to both sides of a slice, that a lasso cuts; 0: all
+  double lassoDepth =
+      0;  // mm behind what is seen first, or to both sides of a slice, that a lasso cuts; 0: all
 
   std::optional<Pane> maximised;
   // catchingUp: this frame is not shown, for input of another one waits; the views keep their pictures.
