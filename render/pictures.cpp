@@ -149,11 +149,13 @@ struct SlicesFrame {
 // One plane: raw, classified, and thinned in colour over raw, of the slices alone that it lies between.
 void drawRow(SliceView& view, const SlicesFrame& frame, int row) {
   const SlicesInput& input = frame.input;
-  const SliceCamera camera{.plane = kPlanes[std::size_t(row)], .cursor = frame.cursor};
+  const SliceCamera camera{
+      .plane = kPlanes[std::size_t(row)], .cursor = frame.cursor, .planes = input.planes};
+  const int across = camera.axes().across;
   GpuVolume raw, classified, thinned;
-  raw.set(slicesAround(input.raw, camera.plane, camera.cursor));
-  classified.set(slicesAround(input.classified, camera.plane, camera.cursor));
-  thinned.set(slicesAround(input.thinned, camera.plane, camera.cursor));
+  raw.set(slicesAround(input.raw, across, camera.cursor));
+  classified.set(slicesAround(input.classified, across, camera.cursor));
+  thinned.set(slicesAround(input.thinned, across, camera.cursor));
   int column = 0;
   const auto draw = [&](const GpuVolume& volume, const GreyWindow& window, const GpuVolume* overlay) {
     view.draw({.frame = input.raw->geometry,

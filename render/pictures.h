@@ -60,11 +60,13 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
 //   raw         the recorded volume; must be there
 //   cursor      world mm, where the three planes meet; without one, the middle of what is bright
 //   region      its box and what is erased are marked where they are not the whole volume
+//   planes      how the three planes lie in the volume
 struct SlicesInput {
   std::shared_ptr<const Volume<float>> raw, classified;
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::optional<glm::dvec3> cursor;
   Region region{};
+  PlaneAxes planes{};
 };
 
 // pictureOfSlices: three rows (axial, sagittal, coronal) and a column each for the raw volume, the classified

@@ -7,9 +7,8 @@ namespace sonoskin {
 namespace {
 
 template <class T>
-std::shared_ptr<const Volume<T>> cut(const Volume<T>& volume, Plane plane, const glm::dvec3& point) {
+std::shared_ptr<const Volume<T>> cut(const Volume<T>& volume, int across, const glm::dvec3& point) {
   const Geometry& g = volume.geometry;
-  const int across = axisAcross(plane);
   const int last = g.dims[across] - 1;
   glm::ivec3 first(0);
   first[across] = int(std::clamp(std::floor(g.toIndex(point)[across]), 0.0, double(last)));
@@ -26,13 +25,13 @@ std::shared_ptr<const Volume<T>> cut(const Volume<T>& volume, Plane plane, const
 }  // namespace
 
 std::shared_ptr<const Volume<float>> slicesAround(const std::shared_ptr<const Volume<float>>& volume,
-                                                  Plane plane, const glm::dvec3& point) {
-  return volume ? cut(*volume, plane, point) : nullptr;
+                                                  int across, const glm::dvec3& point) {
+  return volume ? cut(*volume, across, point) : nullptr;
 }
 
 std::shared_ptr<const Volume<std::uint8_t>> slicesAround(
-    const std::shared_ptr<const Volume<std::uint8_t>>& volume, Plane plane, const glm::dvec3& point) {
-  return volume ? cut(*volume, plane, point) : nullptr;
+    const std::shared_ptr<const Volume<std::uint8_t>>& volume, int across, const glm::dvec3& point) {
+  return volume ? cut(*volume, across, point) : nullptr;
 }
 
 }  // namespace sonoskin

@@ -4,16 +4,16 @@
 #include <memory>
 
 #include "core/volume/volume.h"
-#include "render/slice_frame.h"
 
 namespace sonoskin {
 
-// slicesAround: the part of a volume that a plane's picture is interpolated from: one or two slices across the plane's axis,
-// where they are in the world; of a plane outside of the volume its outermost ones. Null of a null volume.
-//   point  world mm, on the plane
+// slicesAround: the part of a volume that a plane's picture is interpolated from: one or two slices across an axis of the
+// volume, where they are in the world; of a plane outside of the volume its outermost ones. Null of a null volume.
+//   across  0: i, 1: j, 2: k
+//   point   world mm, on the plane
 std::shared_ptr<const Volume<float>> slicesAround(const std::shared_ptr<const Volume<float>>& volume,
-                                                  Plane plane, const glm::dvec3& point);
+                                                  int across, const glm::dvec3& point);
 std::shared_ptr<const Volume<std::uint8_t>> slicesAround(
-    const std::shared_ptr<const Volume<std::uint8_t>>& volume, Plane plane, const glm::dvec3& point);
+    const std::shared_ptr<const Volume<std::uint8_t>>& volume, int across, const glm::dvec3& point);
 
 }  // namespace sonoskin

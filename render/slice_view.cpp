@@ -38,8 +38,10 @@ void setCrossHair(gl::Program& program, const SliceViewInput& input, const Slice
   const glm::vec2 cursor(frame.toPixel(input.camera.cursor));
   program.set("cursor", input.crossHair ? cursor : glm::vec2(-1e6f));
   // A line to the right marks the plane across the downward axis, and the other way round.
-  program.set("horizontalColour", planeColour(Plane(axisDown(input.camera.plane))));
-  program.set("verticalColour", planeColour(Plane(axisRight(input.camera.plane))));
+  const PlaneAxes& planes = input.camera.planes;
+  const SliceAxes& axes = input.camera.axes();
+  program.set("horizontalColour", planeColour(planes.across(axes.down)));
+  program.set("verticalColour", planeColour(planes.across(axes.right)));
 }
 
 // The box in the picture: pixels from the left, top, right, bottom; nothing of it where the slice misses it.
@@ -47,10 +49,11 @@ void setBox(gl::Program& program, const SliceViewInput& input, const SliceFrame&
   glm::vec4 box(-1e9f, -1e9f, 1e9f, 1e9f);
   if (input.box) {
     const auto& [low, high] = *input.box;
-    const int across = axisAcross(input.camera.plane);
+    const int across = input.camera.axes().across;
     const double at = input.frame.toIndex(input.camera.cursor)[across];
     const bool cuts = at >= input.frame.toIndex(low)[across] && at <= input.frame.toIndex(high)[across];
-    box = cuts ? glm::vec4(frame.toPixel(low), frame.toPixel(high)) : glm::vec4(1e9f, 1e9f, -1e9f, -1e9f);
+    const glm::vec2 a(frame.toPixel(low)), b(frame.toPixel(high));
+    box = cuts ? glm::vec4(glm::min(a, b), glm::max(a, b)) : glm::vec4(1e9f, 1e9f, -1e9f, -1e9f);
   }
   program.set("box", box);
 }

@@ -12,6 +12,7 @@
 #include "app/batch/picture_frame.h"
 #include "app/batch/picture_writer.h"
 #include "app/batch/waiting_picture.h"
+#include "app/document/view_planes.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -140,10 +141,12 @@ Image drawSkin(gl::Context& context, const SkinShot& shot, const SkinQuality& qu
 void drawScan(BatchRun& run, gl::Context& context, Scan& scan, Results& results, const PictureOptions& frame,
               PictureWriter& writer) {
   const Region region = regionOf(scan, run.parameters.region);
+  const PlaneAxes planes =
+      planeAxes(scan.volume->geometry, viewFrameOf(scan, beamOf(scan, run.parameters.scan)));
   writer.write(run.folder.file("slices.png"),
                pictureOfSlices(context,
                                {scan.volume, std::exchange(results.classified, {}),
-                                std::exchange(results.thinned, {}), middleOf(*results.mesh), region},
+                                std::exchange(results.thinned, {}), middleOf(*results.mesh), region, planes},
                                run.options.pictureSize));
   VolumePictureOptions look;
   look.iso = float(results.visibleLevel);

@@ -13,6 +13,7 @@
 #include "app/cli/skin_options.h"
 #include "app/document/face_view.h"
 #include "app/document/input.h"
+#include "app/document/view_planes.h"
 #include "core/base/error.h"
 #include "core/base/timer.h"
 #include "core/io/file_formats.h"
@@ -124,9 +125,10 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
     return showMesh(o, found, context, results.mesh, console);
   }
   console.beginStage("picture");
-  return {pictureOfSlices(context,
-                          {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region},
-                          o.picture.size)};
+  const PlaneAxes planes = planeAxes(scan.volume->geometry, viewFrameOf(scan, o.picture.beam));
+  return {pictureOfSlices(
+      context, {scan.volume, results.classified, results.thinned, middleOf(*results.mesh), region, planes},
+      o.picture.size)};
 }
 
 void render(RenderOptions& options, Console& console) {

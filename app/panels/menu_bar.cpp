@@ -27,10 +27,33 @@ void drawRecent(Workspace& workspace) {
   ImGui::EndMenu();
 }
 
+// Submenus: opens and closes them between commands that stand in different ones. enter: whether what stands in one is seen.
+class Submenus {
+ public:
+  ~Submenus() { close(); }
+  bool enter(const char* submenu, bool separator) {
+    const bool same = submenu && title_ && std::string_view(submenu) == title_;
+    if (!same) close();
+    if (separator && (!same || open_)) ImGui::Separator();
+    if (!same) open_ = !submenu || ImGui::BeginMenu(submenu);
+    title_ = submenu;
+    return open_;
+  }
+
+ private:
+  void close() {
+    if (title_ && open_) ImGui::EndMenu();
+    title_ = nullptr;
+  }
+  const char* title_ = nullptr;
+  bool open_ = true;
+};
+
 void drawMenu(Menu menu, Workspace& workspace) {
+  Submenus submenus;
   for (const Command& command : commands()) {
     if (command.menu != menu) continue;
-    if (command.separator) ImGui::Separator();
+    if (!submenus.enter(command.submenu, command.separator)) continue;
     const bool checked = command.checked && command.checked(workspace);
     if (ImGui::MenuItem(command.title, shortcutText(command.shortcut).c_str(), checked,
                         isEnabled(command, workspace))) {

@@ -15,10 +15,10 @@ struct BoxInSlice {
 BoxInSlice boxInSlice(const Workspace& w, const ToolPane::Slice& slice) {
   const Geometry& g = w.session.scan().volume->geometry;
   const auto [low, high] = boxCorners(w.session.parameters().region, g);
-  const int across = axisAcross(slice.plane);
+  const int across = w.view.planes[slice.plane].across;
   const double at = g.toIndex(w.view.cursor)[across];
-  return {slice.frame.toPixel(low), slice.frame.toPixel(high),
-          at >= g.toIndex(low)[across] && at <= g.toIndex(high)[across]};
+  const glm::dvec2 a = slice.frame.toPixel(low), b = slice.frame.toPixel(high);
+  return {glm::min(a, b), glm::max(a, b), at >= g.toIndex(low)[across] && at <= g.toIndex(high)[across]};
 }
 
 Grip gripUnderMouse(const Workspace& w, const ToolPane& pane) {
@@ -33,12 +33,15 @@ void dragSides(const Grip& grip, Workspace& w, const ToolPane& pane) {
   const Geometry& g = w.session.scan().volume->geometry;
   const glm::dvec3 at = g.toIndex(frame.toWorld(glm::dvec2(pane.input.mouse)));
   Parameters parameters = w.session.parameters();
-  const auto move = [&](int edge, int axis) {
+  // An axis may run to the left, or upward.
+  const auto move = [&](int edge, int axis, bool grows) {
     if (edge == 0) return;
-    moveSide({axis, edge > 0}, (at[axis] - 0.5 * edge) * g.spacing[axis], parameters.region, g);
+    const int end = grows ? edge : -edge;
+    moveSide({axis, end > 0}, (at[axis] - 0.5 * end) * g.spacing[axis], parameters.region, g);
   };
-  move(grip.right, axisRight(plane));
-  move(grip.down, axisDown(plane));
+  const SliceAxes& axes = w.view.planes[plane];
+  move(grip.right, axes.right, axes.rightGrows);
+  move(grip.down, axes.down, axes.downGrows);
   if (parameters.region.cutLow != w.session.parameters().region.cutLow ||
       parameters.region.cutHigh != w.session.parameters().region.cutHigh)
     w.session.edit(parameters);

@@ -26,7 +26,10 @@ Plane planeOf(Pane pane) {
 
 double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, ImVec2 size) {
   double next = -1;
-  const PaneInput pane = beginPane(nameOf(which), corner, size);
+  const PaneKind kind = which == Pane::space ? PaneKind::space : PaneKind::slice;
+  PaneInput pane = beginPane(nameOf(which), corner, size);
+  const bool alone = pane.doubleClicked && !takesDoubleClicks(workspace, kind);
+  pane = views.clicks.filter(pane, alone, workspace.view.cursor);
   if (which == Pane::space) {
     next = drawSpaceWindow(views.space, views.scans, workspace, pane);
   } else {
@@ -34,8 +37,7 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
     drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
   }
   endPane();
-  const PaneKind kind = which == Pane::space ? PaneKind::space : PaneKind::slice;
-  if (pane.doubleClicked && !takesDoubleClicks(workspace, kind)) {
+  if (alone) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();
     } else {
@@ -83,6 +85,8 @@ double soonest(double next, const GpuScans& scans) { return scans.ready ? next :
 double drawFourUp(FourUp& views, Workspace& workspace) {
   letGoOfClosed(views, workspace.session.results());
   copyVolumes(views.scans, workspace);
+  if (workspace.session.hasScan())
+    workspace.view.planes = planeAxes(workspace.session.scan().volume->geometry, workspace.viewFrame());
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
   // A copy: a double click changes it, and that counts from the next frame.
   if (const auto maximised = workspace.view.maximised)

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "app/views/double_click.h"
 #include "app/views/slice_window.h"
 #include "app/views/space_window.h"
 #include "app/workspace/workspace.h"
@@ -15,6 +16,7 @@ struct FourUp {
   std::optional<SliceView> sliceView;
   std::array<SliceWindow, 3> slices;  // by Plane
   SpaceWindow space;
+  DoubleClick clicks;
 };
 
 // drawFourUp: two by two, or the maximised one alone, in what is left of the current ImGui window.

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/texts/texts.h"
+#include "app/views/edge_marks.h"
 #include "app/views/steering.h"
 #include "app/views/use_tool.h"
 #include "app/widgets/theme.h"
@@ -13,11 +15,6 @@
 
 namespace sonoskin::ui {
 namespace {
-
-const char* nameOf(Plane plane) {
-  constexpr std::array<const char*, 3> kNames{"Sagittal", "Coronal", "Axial"};
-  return kNames[std::size_t(plane)];
-}
 
 ImVec4 colourOf(Plane plane) {
   const std::array<ImVec4, 3> colours{kSagittal, kCoronal, kAxial};
@@ -34,6 +31,8 @@ Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
   Hasher hasher("slice");
   hasher.add(plane).add(size.x).add(size.y).add(v.layer).add(v.grey.level).add(v.grey.width);
   hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
+  for (const SliceAxes& axes : v.planes.byPlane)
+    hasher.add(axes.across).add(axes.right).add(axes.down).add(axes.rightGrows).add(axes.downGrows);
   hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
   hasher.add(marksVoxels(w)).add(v.cropBox).add(w.session.erased().key());
   addOptions(hasher, w.session.parameters().region);
@@ -42,7 +41,7 @@ Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
 
 // Whether a slider was answered in the slice itself before the volume is classified.
 bool isAnswered(const Workspace& w, Plane plane) {
-  const int axis = axisAcross(plane);
+  const int axis = w.view.planes[plane].across;
   const auto& slice = w.session.results().slices[std::size_t(axis)];
   return slice && std::abs(slice->geometry.toIndex(w.view.cursor)[axis]) < 0.5;
 }
@@ -51,8 +50,8 @@ bool isAnswered(const Workspace& w, Plane plane) {
 const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer layer, Plane plane) {
   const Results& results = w.session.results();
   if (layer == SliceLayer::classified && isAnswered(w, plane)) {
-    GpuVolume& slice = scans.slices[std::size_t(axisAcross(plane))];
-    slice.set(results.slices[std::size_t(axisAcross(plane))]);
+    GpuVolume& slice = scans.slices[std::size_t(w.view.planes[plane].across)];
+    slice.set(results.slices[std::size_t(w.view.planes[plane].across)]);
     return slice;
   }
   if (layer == SliceLayer::classified && results.classified) {
@@ -91,7 +90,7 @@ void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, G
   if (w.view.catchingUp || !scans.ready) return;
   const Results& results = w.session.results();
   const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned,
-                                       results.slices[std::size_t(axisAcross(plane))]});
+                                       results.slices[std::size_t(w.view.planes[plane].across)]});
   const Key key = pictureKey(w, plane, size);
   if (!others && key == window.drawn) return;
   window.drawn = key;
@@ -106,36 +105,30 @@ void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, G
   w.toasts.add(failure, true);
 }
 
-// Where the sound comes from, at the edge on that side.
-void drawProbe(const PaneInput& pane, const Workspace& w, Plane plane) {
-  const Scan& scan = w.session.scan();
-  const glm::dvec3 along = glm::transpose(scan.volume->geometry.direction) * w.session.beam().axis;
-  const glm::dvec2 seen(along[axisRight(plane)], along[axisDown(plane)]);
-  if (glm::length(seen) < 0.7) return;
-  const float u = unit();
-  const glm::vec2 half = 0.5f * pane.size;
-  const glm::vec2 away = -glm::vec2(glm::normalize(seen));
-  const glm::vec2 reach = half - glm::vec2(26, 20) * u;
-  const float scale =
-      std::min(reach.x / std::max(std::abs(away.x), 1e-3f), reach.y / std::max(std::abs(away.y), 1e-3f));
-  const glm::vec2 place = pane.corner + half + away * scale;
-  const ImVec2 size = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, "probe");
-  shadedText({place.x - 0.5f * size.x, place.y - 0.5f * size.y}, kAccent, "probe");
+// Where the slice lies: counted along its axis, and where that is in the world or from the probe.
+std::string placeText(const Workspace& w, const ViewFrame& frame, Plane plane) {
+  const Geometry& g = w.session.scan().volume->geometry;
+  const SliceAxes& axes = w.view.planes[plane];
+  const int slice = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axes.across])) + 1;
+  const int last = g.dims[axes.across];
+  const std::string count =
+      fmt::format(fmt::runtime(tr("{} of {}")), axes.acrossGrows ? slice : last + 1 - slice, last);
+  if (!frame.isPatient) {
+    const int before = (axes.acrossGrows ? slice : last + 1 - slice) - 1;
+    return fmt::format("{}   {:.1f} mm", count, double(before) * g.spacing[axes.across]);
+  }
+  const double at = w.view.cursor[int(plane)];
+  return fmt::format("{}   {} {:.1f} mm", count, "RLAPIS"[2 * int(plane) + (at > 0 ? 1 : 0)], std::abs(at));
 }
 
 void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
   const Geometry& g = w.session.scan().volume->geometry;
-  const int axis = axisAcross(plane);
-  const int slice = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axis]));
+  const ViewFrame frame = w.viewFrame();
   const bool coarse =
       w.view.layer == SliceLayer::classified && w.session.classifiedIsCoarse() && !isAnswered(w, plane);
-  paneTitle(pane, nameOf(plane), colourOf(plane),
-            fmt::format("{} {} of {}   {:.1f} mm{}", "ijk"[axis], slice + 1, g.dims[axis],
-                        double(slice) * g.spacing[axis], coarse ? "   coarse" : ""));
-  drawProbe(pane, w, plane);
-  const float u = unit();
-  shadedText({pane.corner.x + 12 * u, pane.corner.y + pane.size.y - 24 * u}, kFaintText,
-             fmt::format("{} →   {} ↓", "ijk"[axisRight(plane)], "ijk"[axisDown(plane)]));
+  drawEdges(pane, frame, frameOf(w.view, plane, g, pane));
+  paneTitle(pane, tr(planeName(frame, plane)), colourOf(plane),
+            placeText(w, frame, plane) + (coarse ? std::string("   ") + tr("coarse") : ""));
   scaleBar(pane, 1 / frameOf(w.view, plane, g, pane).millimetresPerPixel());
 }
 
@@ -144,7 +137,7 @@ void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
 void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans,
                      Workspace& workspace, const PaneInput& pane) {
   if (!workspace.session.hasScan()) {
-    paneTitle(pane, nameOf(plane), colourOf(plane), "");
+    paneTitle(pane, tr(planeName({}, plane)), colourOf(plane), "");
     return;
   }
   const Geometry& geometry = workspace.session.scan().volume->geometry;

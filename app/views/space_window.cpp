@@ -38,23 +38,6 @@ std::string caption(const SpaceWindow& window, const Workspace& w) {
                      shownLevel(v, w.session.results()));
 }
 
-// The directions of i, j, k as the camera sees them.
-void drawAxes(const PaneInput& pane, const Workspace& w) {
-  const float u = unit(), length = 26 * u;
-  const glm::vec2 middle{pane.corner.x + 42 * u, pane.corner.y + pane.size.y - 42 * u};
-  const glm::mat3 view(w.view.camera.view());
-  const glm::mat3 direction(w.session.scan().volume->geometry.direction);
-  const ImVec4 colours[] = {kSagittal, kCoronal, kAxial};  // of the slices across i, j, k
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (int axis = 0; axis < 3; ++axis) {
-    const glm::vec3 seen = view * direction[axis];
-    const glm::vec2 end = middle + length * glm::vec2(seen.x, -seen.y);
-    list.AddLine({middle.x, middle.y}, {end.x, end.y}, ImGui::GetColorU32(colours[axis]), 1.5f * u);
-    const glm::vec2 letter = middle + (length + 7 * u) * glm::vec2(seen.x, -seen.y);
-    shadedText({letter.x - 3 * u, letter.y - 7 * u}, colours[axis], std::string(1, "ijk"[axis]));
-  }
-}
-
 }  // namespace
 
 double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane) {
@@ -69,7 +52,9 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (skin) {
     for (const std::string& failure : window.skin.update(workspace)) workspace.toasts.add(failure, true);
   }
-  useTool(window.tools, workspace, {pane});
+  const ViewFrame frame = workspace.viewFrame();
+  ViewState& view = workspace.view;
+  useTool(window.tools, workspace, {useCube(window.cube, frame, pane, view.camera, view.cameraMoved)});
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   window.state.moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
   advancePicture(window, scans, workspace, glm::ivec2(pane.size));
@@ -78,7 +63,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   if (skin) drawSkinMarks(window.tools, workspace, pane);
   drawTool(window.tools, workspace, {pane});
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
-  drawAxes(pane, workspace);
+  drawCube(window.cube, frame, pane, view.camera);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
   if (window.picture && window.state.unfinished) return 0;
   if (skin && (window.skin.preparing() || window.skin.refining())) return kPreparingSeconds;

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "app/views/orientation_cube.h"
 #include "app/views/pane.h"
 #include "app/views/picture_state.h"
 #include "app/views/scene.h"
@@ -32,6 +33,7 @@ struct SpaceWindow {
   SkinScene skin;
   PartsScene parts;
   ToolState tools;
+  OrientationCube cube;
   gl::Framebuffer picture;
   PictureState state;
   Key drawn;                      // of what the picture shows

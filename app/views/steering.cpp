@@ -21,7 +21,8 @@ void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& t
     const double whole = std::trunc(turns);
     turns -= whole;
     glm::dvec3 index = geometry.toIndex(view.cursor);
-    index[axisAcross(plane)] += whole;
+    const SliceAxes& axes = view.planes[plane];
+    index[axes.across] += axes.acrossGrows ? whole : -whole;
     view.cursor = keepInside(geometry, geometry.toWorld(index));
     return;
   }
@@ -37,7 +38,7 @@ void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& t
 
 SliceCamera cameraOf(const ViewState& view, Plane plane) {
   const SlicePose& pose = view.slices[std::size_t(plane)];
-  return {plane, view.cursor, pose.pan, pose.zoom};
+  return {plane, view.cursor, pose.pan, pose.zoom, view.planes};
 }
 
 SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {

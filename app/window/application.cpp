@@ -119,6 +119,7 @@ void Application::updateDocument() {
     workspace_.play = {};
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;
+    workspace_.view.orientation = {};
     resetView(workspace_.view, scan, session.beam());
   }
   if (shownPoints_.see({session.results().points})) {

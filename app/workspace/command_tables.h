@@ -9,6 +9,7 @@ namespace sonoskin {
 std::span<const Command> fileCommands();
 std::span<const Command> editCommands();
 std::span<const Command> viewCommands();
+std::span<const Command> planeCommands();  // in the menu of the views
 std::span<const Command> regionCommands();
 std::span<const Command> surfaceCommands();
 std::span<const Command> helpCommands();

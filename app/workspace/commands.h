@@ -26,6 +26,7 @@ struct Command {
   bool (*enabled)(const Workspace&) = nullptr;  // none: always
   bool (*checked)(const Workspace&) = nullptr;  // for switches
   bool separator = false;                       // a line above it in the menu
+  const char* submenu = nullptr;                // of the menu, in which it stands with its neighbours
 };
 
 // commands: all of them, in the order of the menus.

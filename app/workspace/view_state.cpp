@@ -25,9 +25,24 @@ std::array<glm::vec3, 2> cropTo(const Box& box, const Geometry& geometry, float 
   return {glm::vec3(glm::clamp(least / last, 0.0, 1.0)), glm::vec3(glm::clamp(most / last, 0.0, 1.0))};
 }
 
-void resetCamera(ViewState& view, const Beam& beam, const Box& box) {
-  view.camera = lookAlong(glm::vec3(beam.axis), glm::vec3(beam.up), box, 1.2f);
+void resetCamera(ViewState& view, const ViewFrame& frame, const Box& box) {
+  view.camera =
+      lookAlong(glm::vec3(frame.turned(frame.forward)), glm::vec3(frame.turned(frame.up)), box, 1.2f);
   view.cameraMoved = false;
+}
+
+void turnCamera(Camera& camera, const ViewFrame& before, const ViewFrame& after) {
+  const glm::dmat3 change = after.turn * glm::transpose(before.turn);
+  const glm::mat3 world(after.directions * change * glm::transpose(after.directions));
+  camera.forward = glm::normalize(world * camera.forward);
+  camera.up = glm::normalize(world * camera.up);
+}
+
+void turnView(ViewState& view, const ViewFrame& frame, Plane plane) {
+  ViewFrame turned = frame;
+  turned.turn = view.orientation.turn = turnedInPlane(frame, plane);
+  turnCamera(view.camera, frame, turned);
+  view.cameraMoved = true;
 }
 
 void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
@@ -38,7 +53,9 @@ void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
   view.slices.fill({.pan = {0, 0}, .zoom = 0.92});  // a margin for the marks
   view.volumeLevel.reset();
   view.maximised.reset();
-  resetCamera(view, beam, worldBox(g));
+  const ViewFrame frame = viewFrameOf(scan, beam, view.orientation);
+  view.planes = planeAxes(g, frame);
+  resetCamera(view, frame, worldBox(g));
 }
 
 }  // namespace sonoskin

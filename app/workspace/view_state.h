@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/view_planes.h"
 #include "app/workspace/tool.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/pipeline.h"
@@ -75,6 +76,8 @@ struct ViewState {
   bool surfaceVoxels = true;
   bool cropBox = true;              // its lines in all views
   std::array<SlicePose, 3> slices;  // by Plane
+  Orientation orientation;          // of this document, as the person has it
+  PlaneAxes planes;                 // what follows from it and the scan; the views bring it up to date
 
   SpaceContent content = SpaceContent::volume;
   VolumeStyle volumeStyle = VolumeStyle::surface;
@@ -118,8 +121,13 @@ Box surroundings(const Scan& scan, const Results& results);
 // cropTo: a box of the world as shares of a volume, 0 to 1 along i, j, k, with a margin in mm.
 std::array<glm::vec3, 2> cropTo(const Box& box, const Geometry& geometry, float margin);
 
-// resetView: cross-hair to the middle, slices whole, camera on the probe's side. resetCamera: the camera alone.
+// resetView: cross-hair to the middle, slices whole, camera on the probe's side or before the patient. resetCamera: the camera
+// alone.
 void resetView(ViewState& view, const Scan& scan, const Beam& beam);
-void resetCamera(ViewState& view, const Beam& beam, const Box& box);
+void resetCamera(ViewState& view, const ViewFrame& frame, const Box& box);
+// turnView: turns what the slices of a plane show clockwise by a quarter, and with it all views.
+void turnView(ViewState& view, const ViewFrame& frame, Plane plane);
+// turnCamera: the camera is turned about what it looks at by what has come to the frame's turn.
+void turnCamera(Camera& camera, const ViewFrame& before, const ViewFrame& after);
 
 }  // namespace sonoskin

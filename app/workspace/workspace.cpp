@@ -48,11 +48,16 @@ void Workspace::openRaw() {
   rawQuestion.reset();
 }
 
+ViewFrame Workspace::viewFrame() const {
+  return viewFrameOf(session.scan(), session.beam(), view.orientation);
+}
+
 void Workspace::lookAtFace() {
   const Results& results = session.results();
-  const Beam beam = session.beam();
-  resetCamera(view, beam, surroundings(session.scan(), results));
+  const ViewFrame frame = viewFrame();
+  resetCamera(view, frame, surroundings(session.scan(), results));
   constexpr float kAspect = 1.2f;  // as resetCamera has it
+  const Beam beam{.apex = {}, .axis = frame.turned(frame.forward), .up = frame.turned(frame.up)};
   if (const FaceFit* face = session.face(); face && results.mesh && !results.mesh->positions.empty())
     view.camera = cameraOnFace(results.mesh->positions, face, beam, kAspect);
 }

@@ -38,7 +38,9 @@ struct Workspace {
   // openRaw: the file of rawQuestion, as it says.
   void openRaw();
 
-  // lookAtFace: at the face where it is known, else from the probe.
+  // viewFrame: that of the scan, which there must be, as the person has it.
+  ViewFrame viewFrame() const;
+  // lookAtFace: at the face where it is known, else from the probe or from before the patient.
   void lookAtFace();
 
   Session session;

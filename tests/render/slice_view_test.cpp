@@ -41,13 +41,13 @@ TEST_F(SliceViewTest, OnePixelPerVoxelShowsTheVoxelsExactly) {
   const Geometry g = geometry();
   for (const Plane plane : kPlanes) {
     const SliceCamera camera{.plane = plane, .cursor = g.toWorld({9, 6, 3})};
-    const glm::ivec2 size(g.dims[axisRight(plane)], g.dims[axisDown(plane)]);
+    const glm::ivec2 size(g.dims[camera.axes().right], g.dims[camera.axes().down]);
     const Image image = draw({.frame = g, .camera = camera, .volume = volume, .crossHair = false}, size);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
         glm::ivec3 index(9, 6, 3);
-        index[axisRight(plane)] = x;
-        index[axisDown(plane)] = y;
+        index[camera.axes().right] = x;
+        index[camera.axes().down] = y;
         const int expected = byteAt(index.x, index.y, index.z);
         ASSERT_NEAR(pixel(image, x, y).r, expected, 1) << x << " " << y << " " << int(plane);
         ASSERT_EQ(pixel(image, x, y).r, pixel(image, x, y).b);

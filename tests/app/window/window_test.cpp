@@ -87,8 +87,11 @@ TEST_F(WindowTest, MouseInSlices) {
   d.drag(d.point("pane.axial", 0.3f), d.point("pane.axial", 0.2f), 2);
   EXPECT_LT(d.workspace().view.slices[std::size_t(Plane::axial)].pan.x, 0);
 
-  d.doubleClick("pane.coronal");
+  const glm::dvec3 cursor = d.workspace().view.cursor;
+  d.moveTo(d.point("pane.coronal", 0.3f, 0.3f));
+  for (const char* action : {"mousedown 1", "mouseup 1", "mousedown 1", "mouseup 1"}) d.mouse(action);
   EXPECT_EQ(d.workspace().view.maximised, Pane::coronal);
+  EXPECT_EQ(d.workspace().view.cursor, cursor) << "a double click leaves the cross-hair alone";
   d.press("Escape");
   EXPECT_FALSE(d.workspace().view.maximised);
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+
+#include "render/slice_axes.h"
+
+namespace sonoskin {
+
+// Layout: which views share the window.
+//   fourUp   the three planes and 3D
+//   compare  one plane's slice raw, classified and thinned, and 3D, for the iso-surface of the classified volume
+enum class Layout { fourUp, compare };
+constexpr std::array<const char*, 2> enumNames(Layout) { return {"four-up", "compare"}; }
+
+// LayoutState: how the views lie, which the window remembers.
+//   across, down  where the dividers are, as shares of the width and of the height; 0.15 to 0.85
+//   compared      the plane of `compare`
+struct LayoutState {
+  Layout layout = Layout::fourUp;
+  float across = 0.5f, down = 0.5f;
+  Plane compared = Plane::axial;
+};
+
+inline constexpr float kLeastShare = 0.15f, kMostShare = 0.85f;
+
+}  // namespace sonoskin
