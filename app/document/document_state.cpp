@@ -19,9 +19,9 @@ DocumentState stateOf(const DocumentFacts& f) {
 
 const char* stateText(DocumentState state) {
   static constexpr std::array<const char*, 10> kTexts{
-      "Waiting for a volume", "Opening",   "Working",        "Saving",
-      "Stopped; not done",    "Failed",    "No surface yet", "Surface older than the parameters",
-      "Live, not yet final",  "Up to date"};
+      "Waiting for a volume",    "Opening",   "Working",        "Saving",
+      "Stopped; press Continue", "Failed",    "No surface yet", "Surface older than the parameters",
+      "Live, not yet final",     "Up to date"};
   return kTexts[static_cast<std::size_t>(state)];
 }
 

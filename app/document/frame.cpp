@@ -8,6 +8,8 @@ namespace sonoskin {
 
 void takeIn(Frame& frame, Results fresh, const MeshOrigin& origin, const FaceOptions& face) {
   const Results& before = frame.results;
+  for (const StageReport& stage : fresh.stages)
+    if (stage.seconds > 0) frame.seconds[stage.name] = stage.seconds;
   if (fresh.mesh) {
     frame.made = origin;
     frame.made.isFinal = fresh.isFinal;

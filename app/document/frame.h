@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "app/document/document.h"
 #include "core/pipeline/results.h"
@@ -24,6 +26,8 @@ struct Frame {
   Results results;
   MeshOrigin made;      // of results.mesh
   double meshArea = 0;  // mm²
+  std::map<std::string, double>
+      seconds{};  // that the stages took, by their names, each when it was last made
 };
 
 // takeIn: newer results of the frame; what a coarse result, or a slider's answer, lacks stays as it was.

@@ -129,10 +129,21 @@ bool Session::classifiedIsCoarse() const {
   return classified && classified->geometry.dims != frame_.scan.volume->geometry.dims;
 }
 
+bool Session::classifiedIsCurrent() const {
+  return frame_.results.classified && frame_.results.keys.classified == keysOf(document_, frame_).classified;
+}
+
+double Session::secondsOf(bool (*which)(std::string_view stage)) const {
+  double sum = 0;
+  for (const auto& [stage, seconds] : frame_.seconds) sum += which(stage) ? seconds : 0;
+  return sum;
+}
+
 void Session::submit(Goal goal) {
   if (!hasScan()) return;
   delayed_.reset();
   stopped_.reset();
+  stops_ = false;
   failed_ = false;
   answerOwed_ = goal != Goal::mesh;
   request_ = goal;
@@ -153,6 +164,7 @@ void Session::cancel() {
   if (opener_.status().busy) {
     opener_.cancel();
   } else {
+    stops_ = request_.has_value();
     runner_.cancel();
   }
 }
@@ -186,11 +198,12 @@ void Session::finishRequest() {
   const Goal goal = *std::exchange(request_, std::nullopt);
   answerOwed_ = false;
   const Runner::Status status = runner_.status();
-  if (status.cancelled) stopped_ = goal;
+  const bool ends = std::exchange(stops_, false) || status.cancelled;
+  if (ends) stopped_ = goal;
   if (!status.error.empty()) {
     failed_ = true;
     report(Message::Kind::failure, status.error);
-  } else if (!status.cancelled && !delayed_) {
+  } else if (!ends && !delayed_) {
     if (goal == Goal::classified) submit(Goal::points);
     if (goal == Goal::points && mayFollow() && !meshIsCurrent()) submit(Goal::surface);
   }

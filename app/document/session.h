@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/document/document.h"
@@ -111,6 +112,10 @@ class Session {
   bool classifiedIsCoarse() const;
   // lookAt: where slices of the classified volume are looked at, world mm, if they are: sliders are answered there first.
   void lookAt(const std::optional<glm::dvec3>& cursor) { lookedAt_ = cursor; }
+  // classifiedIsCurrent: whether the classified volume is the one that the parameters lead to, on voxels of any size.
+  bool classifiedIsCurrent() const;
+  // secondsOf: that the stages of the pipeline took which `which` names, each when it was last made.
+  double secondsOf(bool (*which)(std::string_view stage)) const;
   double meshArea() const { return frame_.meshArea; }  // mm^2
   void reconstruct();
   void cancel();
@@ -193,6 +198,7 @@ class Session {
   MeshOrigin requested_;         // from what
   std::optional<Goal> stopped_;  // what the person ended
   bool failed_ = false;          // whether the last request did
+  bool stops_ = false;           // the person ended it when it had just been done: what follows is not begun
   bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
   std::optional<Goal> delayed_;  // what to submit when it has
   std::uint64_t opened_ = 0, revision_ = 0, reconstructions_ = 0;

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -9,25 +10,25 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/preset_row.h"
+#include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
-#include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
 namespace {
 
 using Names = std::vector<std::string_view>;
 
-// The few that a person turns for a scan; the others are set once for a machine, if ever.
-const Names kFirst{"isoValue", "isoShare", "lowPass", "beta"};
+// What is solved, and what a person turns for a scan; the others are set once for a machine, if ever.
+const Names kFirst{"isoValue", "alpha", "beta", "gamma", "isoShare", "lowPass"};
 
-// Block: parameters of the classification that belong together, under "Advanced".
+// Block: parameters of the classification that belong together.
 struct Block {
   const char* title;
   Names names;
 };
 const std::array<Block, 4> kBlocks{
-    Block{"Equation", {"formulation", "alpha", "gamma", "target", "gradientFloor", "gradientReference"}},
+    Block{"Equation", {"formulation", "target", "gradientFloor", "gradientReference"}},
     Block{"Values and edges", {"rawShare", "gradientSource", "noiseFloor", "farthest"}},
     Block{"Along the surface", {"tangentialLength", "directionScale"}},
     Block{"Thesis' formulations", {"curl", "rescale"}}};
@@ -37,13 +38,6 @@ Names namedAbove() {
   Names names = kFirst;
   for (const Block& block : kBlocks) names.insert(names.end(), block.names.begin(), block.names.end());
   return names;
-}
-
-// The iso-value that was found, and how far it goes down and up from place to place.
-std::string automaticText(const Results& results) {
-  const IsoRange& range = results.isoRange;
-  if (range.most - range.least < 0.015) return fmt::format(", {:.2f}", results.isoValue);
-  return fmt::format(", {:.2f} ({:.2f} to {:.2f})", results.isoValue, range.least, range.most);
 }
 
 // What it was measured from.
@@ -60,16 +54,21 @@ std::string explanationOf(const Results& results, double share) {
   return text + " Drag to set one iso-value for the whole scan from there.";
 }
 
-// The words of the first rows.
-RowText firstRowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
+// The words of the rows, where the field's own name says little.
+const std::map<std::string_view, const char*> kLabels{
+    {"isoValue", "Iso-value"},          {"alpha", "Suppression"},        {"beta", "Smoothing"},
+    {"gamma", "Edge strength"},         {"isoShare", "Iso share"},       {"lowPass", "Noise filter"},
+    {"gradientReference", "Full edge"}, {"gradientFloor", "Edge floor"}, {"gradientSource", "Edges from"},
+    {"tangentialLength", "Length"},     {"directionScale", "Direction"}};
+
+RowText rowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
   RowText text = useOf(parameters, "classification")(field);
-  if (field == "lowPass") text.label = "Noise filter";
-  if (field == "beta") text.label = "Smoothing";
+  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = tr(label->second);
   if (field == "isoValue" && parameters.classification.isoValue == 0) {
-    text.shown = "automatic";
+    text.shown = tr("auto");
     const Results& results = workspace.session.results();
     if (const double found = results.isoValue; found > 0) {
-      text.shown += automaticText(results);
+      text.shown += fmt::format(" {:.2f}", found);
       text.found = explanationOf(results, parameters.classification.isoShare);
       text.grab = found;  // whoever drags it goes on from there
     }
@@ -86,39 +85,32 @@ FieldsEdit drawRows(ClassificationOptions& options, const Names& names,
   return edit;
 }
 
-FieldsEdit drawAdvanced(Parameters& parameters) {
+FieldsEdit drawBlocks(ClassificationOptions& options, const std::function<RowText(std::string_view)>& text) {
   FieldsEdit edit;
-  if (!foldout("Advanced", "The equation that finds the surfaces.")) return edit;
-  const auto text = useOf(parameters, "classification");
   for (const Block& block : kBlocks) {
-    ImGui::TextDisabled("%s", block.title);
+    heading(tr(block.title));
     if (!beginFields(block.title)) continue;
-    edit |= drawRows(parameters.classification, block.names, text);
+    edit |= drawRows(options, block.names, text);
     endFields();
   }
-  ImGui::TextDisabled("Solver");
   const Names above = namedAbove();
-  if (beginFields("rest")) {
-    edit |= editFields("classification", parameters.classification, {above, true, text});
-    endFields();
-  }
-  ImGui::Dummy({0, 4 * unit()});
-  return edit;
+  return edit |= groupRows(tr("Solver"), "classification", options, {above, true, text});
 }
 
 }  // namespace
 
 void drawClassificationPanel(Workspace& workspace) {
-  section("Classification");
   Parameters parameters = workspace.session.parameters();
+  const auto text = [&](std::string_view field) { return rowText(workspace, parameters, field); };
   FieldsEdit edit;
   if (beginFields("first")) {
     edit = presetRow(parameters);
-    edit |= drawRows(parameters.classification, kFirst,
-                     [&](std::string_view field) { return firstRowText(workspace, parameters, field); });
+    edit |= drawRows(parameters.classification, kFirst, text);
     endFields();
   }
-  edit |= drawAdvanced(parameters);
+  edit |= drawBlocks(parameters.classification, text);
+  edit |= groupRows(tr("Less speckle before"), "enhancement", parameters.enhancement,
+                    {{}, false, useOf(parameters, "enhancement")});
   applyEdit(workspace, parameters, edit);
 }
 

@@ -56,7 +56,7 @@ void keyRow(const char* where, const char* what, const char* effect) {
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", where);
   ImGui::TableNextColumn();
-  ImGui::TextColored(kAccent, "%s", what);
+  ImGui::TextColored(colours().accent, "%s", what);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(effect);
 }
@@ -92,7 +92,7 @@ void drawAbout(Workspace& workspace) {
         "Turns a noisy three-dimensional ultrasound scan into a smooth surface of the face, and "
         "the surface into a picture.");
     ImGui::Spacing();
-    ImGui::TextColored(kWarning,
+    ImGui::TextColored(colours().warning,
                        "For research and keepsakes. Not for diagnosis: what is seen here may have been "
                        "smoothed away or filled in.");
     ImGui::Spacing();

@@ -3,6 +3,7 @@
 #include "app/panels/panels.h"
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
+#include "app/widgets/layout.h"
 #include "app/widgets/widget_rects.h"
 
 namespace sonoskin::ui {
@@ -13,7 +14,8 @@ constexpr double kMostDepth = 100;  // mm
 }  // namespace
 
 void drawLassoRows(Workspace& workspace) {
-  if (!isChosen(workspace.view, Tool::lasso)) return;
+  sentenceText(tr("Draw around it in a slice or in 3D; Ctrl brings back, Shift keeps the inside alone."));
+  const DisabledIf away(!isChosen(workspace.view, Tool::lasso));
   if (!beginFields("lasso")) return;
   beginRow(tr("Depth"));
   const double least = 0;
@@ -24,10 +26,6 @@ void drawLassoRows(Workspace& workspace) {
     ImGui::SetTooltip("%s",
                       tr("How far behind what is seen first, or to both sides of a slice, is cut out."));
   endFields();
-  ImGui::PushTextWrapPos();
-  ImGui::TextDisabled(
-      "%s", tr("Draw around it in a slice or in 3D; Ctrl brings back, Shift keeps the inside alone."));
-  ImGui::PopTextWrapPos();
 }
 
 }  // namespace sonoskin::ui

@@ -10,10 +10,10 @@ namespace sonoskin::ui {
 namespace {
 
 void drawEntry(const MessageLog::Entry& entry) {
-  const std::array<ImVec4, 3> kColours{kText, kWarning, kFailure};
+  const std::array<ImVec4, 3> inks{colours().text, colours().warning, colours().failure};
   ImGui::TextDisabled("%s", entry.time.c_str());
   ImGui::SameLine(70 * unit());
-  ImGui::PushStyleColor(ImGuiCol_Text, kColours[std::size_t(entry.kind)]);
+  ImGui::PushStyleColor(ImGuiCol_Text, inks[std::size_t(entry.kind)]);
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(entry.text.c_str());
   ImGui::PopTextWrapPos();
@@ -31,9 +31,9 @@ void drawEntries(const MessageLog& log) {
 
 }  // namespace
 
-float drawLog(Workspace& workspace) {
+void drawLog(Workspace& workspace) {
   MessageLog& log = workspace.toasts.log;
-  if (!log.shown) return 0;
+  if (!log.shown) return;
   const ImVec2 corner = ImGui::GetMainViewport()->Size;
   const ImVec2 size{560 * unit(), 230 * unit()};
   ImGui::SetNextWindowPos({corner.x - 16 * unit(), corner.y - 40 * unit()}, ImGuiCond_Always, {1, 1});
@@ -53,7 +53,6 @@ float drawLog(Workspace& workspace) {
     noteWidget("messages.close");
   }
   ImGui::End();
-  return size.y;
 }
 
 }  // namespace sonoskin::ui

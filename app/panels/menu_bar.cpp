@@ -1,15 +1,16 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
 
 #include "app/panels/panels.h"
+#include "app/texts/texts.h"
+#include "app/widgets/open_lists.h"
 #include "app/widgets/widget_rects.h"
 #include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {
-
-constexpr std::array<const char*, 6> kMenuTitles{"File", "Edit", "View", "Region", "Surface", "Help"};
 
 void drawRecent(Workspace& workspace) {
   if (!ImGui::BeginMenu("Open recent")) return;
@@ -55,7 +56,7 @@ void drawMenu(Menu menu, Workspace& workspace) {
     if (command.menu != menu) continue;
     if (!submenus.enter(command.submenu, command.separator)) continue;
     const bool checked = command.checked && command.checked(workspace);
-    if (ImGui::MenuItem(command.title, shortcutText(command.shortcut).c_str(), checked,
+    if (ImGui::MenuItem(tr(command.title), shortcutText(command.shortcut).c_str(), checked,
                         isEnabled(command, workspace))) {
       command.run(workspace);
     }
@@ -67,8 +68,10 @@ void drawMenu(Menu menu, Workspace& workspace) {
 
 void drawMenuBar(Workspace& workspace) {
   if (!ImGui::BeginMainMenuBar()) return;
+  const auto asked = std::exchange(workspace.menuAsked, std::nullopt);
   for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
-    const bool open = ImGui::BeginMenu(kMenuTitles[i]);
+    if (asked == static_cast<Menu>(i)) openMenu(tr(kMenuTitles[i]));
+    const bool open = ImGui::BeginMenu(tr(kMenuTitles[i]));
     noteWidget(std::string("menu.") + kMenuTitles[i]);
     if (!open) continue;
     drawMenu(static_cast<Menu>(i), workspace);

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <imgui.h>
+
+#include <span>
+
+#include "app/workspace/shown_pane.h"
 #include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
@@ -9,19 +14,29 @@ namespace sonoskin::ui {
 
 void drawMenuBar(Workspace& workspace);
 
-// The side panel, from top to bottom.
+// The side panel: the list of steps, the parameters of the chosen one, which alone scroll, and the work that goes on.
+//   output  where toasts may lie: above the work, over the parameters
+ToastPlace drawSidePanel(Workspace& workspace, ImVec2 size);
+float sidePanelWidth();
+
+// Its parts. The list of steps tells the state of each; a click opens it.
+void drawStepList(Workspace& workspace);
+void drawWork(Workspace& workspace);  // the button that reconstructs, what goes on and how to end it
+float workHeight();                   // of that, which is always the same
+
+// The parameters of the steps.
 void drawVolumePanel(Workspace& workspace);
 void drawRegionPanel(Workspace& workspace);  // eraser and crop box
-void drawLassoRows(Workspace& workspace);    // while it is chosen
-void drawClassificationPanel(
-    Workspace& workspace);  // preset, the first parameters, the others under "Advanced"
-void drawReconstructionPanel(
-    Workspace& workspace);  // smoothness, fit and mesh and print under "Advanced", the button, what was made
-void drawViewPanel(Workspace& workspace);
-void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin; part of the skin panel
-void drawSkinPanel(
-    Workspace& workspace);  // where the 3D view shows skin: its look, the light, what is compared
-void drawMorePanel(Workspace& workspace);  // the parameters of the other stages, a heading each
+void drawLassoRows(Workspace& workspace);
+void drawClassificationPanel(Workspace& workspace);
+void drawReconstructionPanel(Workspace& workspace);
+void drawSkinPanel(Workspace& workspace);     // the skin's look, the light, what is compared
+void drawProfilePanel(Workspace& workspace);  // how far light goes below the skin; part of it
+void drawExportPanel(Workspace& workspace);
+
+// The bars over the views: what each of them shows.
+//   places  of the views, on the screen
+void drawViewBars(Workspace& workspace, std::span<const ShownPane> places);
 
 // The line at the bottom: dimensions, spacing, cross-hair, points, triangles, area, time; at its right what opens the log.
 void drawStatusBar(Workspace& workspace);
@@ -32,6 +47,6 @@ void drawAbout(Workspace& workspace);
 void drawQuestion(Workspace& workspace);      // before unsaved work is lost
 void drawRawQuestion(Workspace& workspace);   // what a file without a header holds
 void drawVolumeChoice(Workspace& workspace);  // which of several volumes in a file is opened
-float drawLog(Workspace& workspace);  // all messages, at the lower right; its height, 0 while it is closed
+void drawLog(Workspace& workspace);           // all messages, at the lower right
 
 }  // namespace sonoskin::ui

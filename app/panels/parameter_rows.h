@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/widgets/fields_ui.h"
+#include "app/widgets/layout.h"
 #include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
@@ -20,5 +21,16 @@ std::string sentence(std::string_view text);
 // useOf: greys the parameters of a group that have no effect beside the others' values, and says why.
 //   parameters  must live as long as the rows are drawn
 std::function<RowText(std::string_view field)> useOf(const Parameters& parameters, std::string_view group);
+
+// groupRows: the rows of a group, or some of them, below a heading.
+template <class Options>
+FieldsEdit groupRows(const char* title, std::string_view group, Options& options, const Rows& rows) {
+  FieldsEdit edit;
+  heading(title);
+  if (!beginFields(title)) return edit;
+  edit = editFields(group, options, rows);
+  endFields();
+  return edit;
+}
 
 }  // namespace sonoskin::ui

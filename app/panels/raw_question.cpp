@@ -25,7 +25,7 @@ bool drawSize(const Workspace::RawQuestion& asked) {
   const std::string text =
       fits ? fmt::format("The file has {} bytes, as many as that.", grouped(asked.bytes))
            : fmt::format("The file has {} bytes; that is {:.0f}.", grouped(asked.bytes), wanted);
-  ImGui::TextColored(fits ? kText : kWarning, "%s", text.c_str());
+  ImGui::TextColored(fits ? colours().text : colours().warning, "%s", text.c_str());
   return fits;
 }
 

@@ -6,62 +6,55 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
+#include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
-#include "app/workspace/commands.h"
+#include "core/pipeline/face_use.h"
 
 namespace sonoskin::ui {
 namespace {
 
-// The button beside the bar: ends what goes on, or takes it up again.
-void drawCancel(Session& session, bool busy, bool stopped, float width) {
-  const DisabledIf disabled(!busy && !stopped);
-  if (ImGui::Button(stopped ? "Go on" : "Cancel", {width, 0})) stopped ? session.resume() : session.cancel();
-  noteWidget(stopped ? "surface.resume" : "surface.cancel");
-}
+// A count, or that there is none: the line stays.
+std::string countText(std::size_t count) { return count > 0 ? grouped(count) : "–"; }
 
-// One line that is always there, so that nothing below moves when work begins and ends.
-void drawProgress(Workspace& workspace, const Activity& activity) {
-  const float cancel = 72 * unit();
-  const DocumentState state = workspace.session.state();
-  const bool settled = state == DocumentState::current || state == DocumentState::empty;
-  const std::string text = activity.busy
-                               ? fmt::format("{}  {:.0f} %", sentence(activity.what), 100 * activity.fraction)
-                               : stateText(state);
-  ImGui::PushStyleColor(ImGuiCol_Text, activity.busy ? kText
-                                       : settled     ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
-                                                     : kWarning);
-  ImGui::ProgressBar(
-      static_cast<float>(activity.busy ? activity.fraction : 0),
-      {ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()},
-      text.c_str());
-  ImGui::PopStyleColor();
-  noteWidget("surface.state");
-  ImGui::SameLine();
-  drawCancel(workspace.session, activity.busy, state == DocumentState::stopped, cancel);
-}
-
-void drawMeshFacts(const Session& session) {
-  const Results& results = session.results();
-  if (results.points) fact("Points", grouped(results.points->size()));
-  if (!results.mesh) return;
-  fact("Triangles", grouped(results.mesh->triangles.size()));
-  fact("Area", fmt::format("{} mm²", grouped(static_cast<std::size_t>(session.meshArea() + 0.5))));
-  if (results.verdicts) {
+std::string partsText(const Results& results) {
+  if (results.mesh && results.verdicts) {
     const auto kept = std::count_if(results.verdicts->begin(), results.verdicts->end(),
                                     [](const PartVerdict& v) { return v.kept; });
-    fact("Parts", fmt::format("{}, {} shown (P)", results.verdicts->size(), kept));
-  } else if (results.pieces && results.pieces->size() > 1) {
-    fact("Pieces", fmt::format("{}, one is shown", results.pieces->size()));
+    return fmt::format(fmt::runtime(tr("{}, {} shown (P)")), results.verdicts->size(), kept);
   }
+  if (results.mesh && results.pieces && results.pieces->size() > 1)
+    return fmt::format(fmt::runtime(tr("{}, one is shown")), results.pieces->size());
+  return "–";
+}
+
+std::string areaText(const Session& session) {
+  if (!session.results().mesh) return "–";
+  return fmt::format("{} mm²", grouped(static_cast<std::size_t>(session.meshArea() + 0.5)));
+}
+
+// What was measured across the surface, and how far the points were moved onto it.
+std::string edgeText(const Results& results) {
+  const EdgeProfile& edge = results.edge;
+  if (!results.points || edge.width <= 0) return "–";
+  return fmt::format(fmt::runtime(tr("grey {:.2f} to {:.2f} in {:.1f} mm, points moved {:.2f} mm")),
+                     edge.dark, edge.bright, edge.width, edge.shift + edge.depth);
+}
+
+void drawFacts(const Session& session) {
+  const Results& results = session.results();
+  fact(tr("Points"), countText(results.points ? results.points->size() : 0));
+  fact(tr("Triangles"), countText(results.mesh ? results.mesh->triangles.size() : 0));
+  fact(tr("Area"), areaText(session));
+  fact(tr("Parts"), partsText(results));
 }
 
 // What speaks against this being skin; it stays as long as it holds.
 void drawWarnings(const Session& session) {
   for (const std::string& warning : session.warnings()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, colours().warning);
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted((sentence(warning) + ".").c_str());
     ImGui::PopTextWrapPos();
@@ -70,66 +63,42 @@ void drawWarnings(const Session& session) {
   }
 }
 
-// The one parameter of the fit that a person turns; the others are under "Advanced".
+// The one parameter of the fit that a person turns.
 constexpr std::array<std::string_view, 1> kFirst{"smoothness"};
 
-// The rows of a group under a small heading.
-template <class Options>
-FieldsEdit drawBlock(const char* title, std::string_view group, Options& options, const Rows& rows) {
-  FieldsEdit edit;
-  ImGui::TextDisabled("%s", title);
-  if (!beginFields(title)) return edit;
-  edit = editFields(group, options, rows);
-  endFields();
+// What was found, in a sentence.
+void drawFace(const Workspace& workspace) {
+  const std::string text =
+      faceText(workspace.session.results().face.get(), workspace.session.parameters().face);
+  if (!text.empty()) sentenceText(sentence(text).c_str());
+}
+
+FieldsEdit drawGroups(Parameters& p) {
+  FieldsEdit edit = groupRows(tr("Points"), "surface", p.surface, {{}, false, useOf(p, "surface")});
+  edit |=
+      groupRows(tr("Fit"), "reconstruction", p.reconstruction, {kFirst, true, useOf(p, "reconstruction")});
+  edit |=
+      groupRows(tr("One function through all points"), "global", p.global, {{}, false, useOf(p, "global")});
+  edit |= groupRows(tr("Triangles"), "mesh", p.mesh, {{}, false, useOf(p, "mesh")});
+  edit |= groupRows(tr("Face"), "face", p.face, {{}, false, useOf(p, "face")});
   return edit;
 }
 
-FieldsEdit drawAdvanced(Parameters& p) {
-  FieldsEdit edit;
-  if (!foldout("Advanced##surface",
-               "How the surface is fitted, made of triangles, and prepared for a printer."))
-    return edit;
-  edit |= drawBlock("Fit", "reconstruction", p.reconstruction, {kFirst, true, useOf(p, "reconstruction")});
-  if (p.reconstruction.method == ReconstructionMethod::global)
-    edit |= drawBlock("One function through all points", "global", p.global, {{}, false, useOf(p, "global")});
-  edit |= drawBlock("Mesh", "mesh", p.mesh, {{}, false, useOf(p, "mesh")});
-  edit |= drawBlock("Print", "print", p.print, {{}, false, useOf(p, "print")});
-  ImGui::Dummy({0, 4 * unit()});
-  return edit;
-}
+}  // namespace
 
-void drawParameters(Workspace& workspace) {
+void drawReconstructionPanel(Workspace& workspace) {
   Parameters parameters = workspace.session.parameters();
   FieldsEdit edit;
   if (beginFields("smoothness")) {
     edit = editFields("reconstruction", parameters.reconstruction, {kFirst});
     endFields();
   }
-  edit |= drawAdvanced(parameters);
+  drawFacts(workspace.session);
+  edit |= drawGroups(parameters);
   applyEdit(workspace, parameters, edit);
-}
-
-}  // namespace
-
-void drawReconstructionPanel(Workspace& workspace) {
-  section("Surface");
-  drawParameters(workspace);
-  const Activity activity = workspace.session.activity();
-  const Command& reconstruct = command("surface.reconstruct");
-  if (mainButton(reconstruct.title, isEnabled(reconstruct, workspace) && !activity.blocking)) {
-    reconstruct.run(workspace);
-  }
-  noteWidget(reconstruct.id);
-  drawProgress(workspace, activity);
+  fact(tr("Edge"), edgeText(workspace.session.results()));
+  drawFace(workspace);
   drawWarnings(workspace.session);
-  drawMeshFacts(workspace.session);
-  if (workspace.session.results().mesh) {
-    for (const char* id : {"file.saveMesh", "file.savePrint"}) {
-      const Command& save = command(id);
-      if (ImGui::Button(save.title, {-1, 0})) save.run(workspace);
-      noteWidget(save.id);
-    }
-  }
 }
 
 }  // namespace sonoskin::ui

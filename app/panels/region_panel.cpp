@@ -3,9 +3,9 @@
 
 #include "app/document/crop_box.h"
 #include "app/panels/panels.h"
+#include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
-#include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 #include "app/workspace/commands.h"
 
@@ -17,9 +17,7 @@ void commandButton(const char* id, const char* title, float width, Workspace& wo
   const Command& c = command(id);
   const bool on = c.checked && c.checked(workspace);
   const DisabledIf disabled(!isEnabled(c, workspace));
-  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.42f));
-  if (ImGui::Button(title, {width, 0})) c.run(workspace);
-  if (on) ImGui::PopStyleColor();
+  if (switchButton(title, on, width)) c.run(workspace);
   noteWidget(id);
   if (ImGui::IsItemHovered()) {
     const std::string key = shortcutText(c.shortcut);
@@ -76,49 +74,51 @@ void drawSides(Workspace& workspace) {
 }
 
 void drawBox(Workspace& workspace) {
-  const bool open = foldout("Crop box", "Only what lies in the box becomes surface.");
-  if (!open) return;
+  heading(tr("Crop box"));
+  sentenceText(tr("Only what lies in the box becomes surface."));
   drawSides(workspace);
   const float width = halfWidth();
-  commandButton("region.box", "Show in the views", width, workspace);
+  commandButton("region.box", tr("Show in the views"), width, workspace);
   ImGui::SameLine();
-  commandButton("region.resetBox", "Whole volume", width, workspace);
+  commandButton("region.resetBox", tr("Whole volume"), width, workspace);
+}
+
+void drawRadius(Workspace& workspace) {
+  const DisabledIf away(!isChosen(workspace.view, Tool::eraser));
+  if (!beginFields("eraser")) return;
+  beginRow(tr("Radius"));
+  const double least = kLeastBrush, most = kMostBrush;
+  ImGui::SliderScalar("##radius", ImGuiDataType_Double, &workspace.view.brushRadius, &least, &most, "%.1f mm",
+                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  noteWidget("region.radius");
+  endFields();
 }
 
 void drawEraser(Workspace& workspace) {
+  heading(tr("Eraser"));
+  sentenceText(tr("Drag in a slice; with Ctrl it brings back. Keys [ and ] change its size."));
   const float width = halfWidth();
-  commandButton("region.erase", "Erase", width, workspace);
+  commandButton("region.erase", tr("Erase"), width, workspace);
   ImGui::SameLine();
-  commandButton("region.clear", "Bring everything back", width, workspace);
-  const std::size_t voxels = workspace.session.erased().voxels();
-  if (isChosen(workspace.view, Tool::eraser) && beginFields("eraser")) {
-    beginRow("Radius");
-    const double least = kLeastBrush, most = kMostBrush;
-    ImGui::SliderScalar("##radius", ImGuiDataType_Double, &workspace.view.brushRadius, &least, &most,
-                        "%.1f mm", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-    noteWidget("region.radius");
-    endFields();
-    ImGui::TextDisabled("Drag in a slice; with Ctrl it brings back. Keys [ and ]");
-  }
-  if (voxels > 0) {
-    const glm::dvec3& spacing = workspace.session.scan().volume->geometry.spacing;
-    const double cubicCentimetres = double(voxels) * spacing.x * spacing.y * spacing.z / 1000;
-    fact("Erased", fmt::format("{:.2f} cm³", cubicCentimetres));
-  }
+  commandButton("region.clear", tr("Bring everything back"), width, workspace);
+  drawRadius(workspace);
+  const glm::dvec3& spacing = workspace.session.scan().volume->geometry.spacing;
+  const double voxels = double(workspace.session.erased().voxels());
+  fact(tr("Erased"), fmt::format("{:.2f} cm³", voxels * spacing.x * spacing.y * spacing.z / 1000));
 }
 
 }  // namespace
 
 void drawRegionPanel(Workspace& workspace) {
-  section("Region");
   if (!workspace.session.hasScan()) {
-    ImGui::TextDisabled("Nothing is open yet");
+    ImGui::TextDisabled("%s", tr("Nothing is open yet"));
     return;
   }
-  drawEraser(workspace);
-  commandButton("region.lasso", "Cut out by an outline", ImGui::GetContentRegionAvail().x, workspace);
-  drawLassoRows(workspace);
   drawBox(workspace);
+  drawEraser(workspace);
+  heading(tr("Lasso"));
+  commandButton("region.lasso", tr("Cut out by an outline"), -1, workspace);
+  drawLassoRows(workspace);
 }
 
 }  // namespace sonoskin::ui

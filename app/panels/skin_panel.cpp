@@ -5,8 +5,10 @@
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/skin_rows.h"
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -66,7 +68,7 @@ FieldsEdit drawSkin(Parameters& p) {
 }
 
 FieldsEdit drawLight(Parameters& p) {
-  ImGui::TextDisabled("Light");
+  heading(tr("Light"));
   FieldsEdit edit = drawRows("light", "light", p.light, {kLight, false, useOf(p, "light")});
   if (foldout("More light",
               "Where the light is, how soft, and the other lights. The lamp in the view can be dragged."))
@@ -74,20 +76,24 @@ FieldsEdit drawLight(Parameters& p) {
   return edit;
 }
 
+// Whether the 3D view shows what the rows change, and how to make it.
+void drawShown(Workspace& workspace) {
+  const Command& show = command("view.skin");
+  const bool shown = show.checked(workspace);
+  const DisabledIf disabled(shown || !isEnabled(show, workspace));
+  if (ImGui::Button(tr(shown ? "The 3D view shows skin" : "Show skin in the 3D view"), {-1, 0}))
+    show.run(workspace);
+  noteWidget("skin.show");
+}
+
 }  // namespace
 
 void drawSkinPanel(Workspace& workspace) {
-  const ViewState& view = workspace.view;
-  bool* asked = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("skin asked"), true);
-  const bool before = *asked;
-  *asked = view.meshStyle == MeshStyle::skin;
-  if (!*asked || view.content != SpaceContent::mesh) return;
-  // It lies far below: whoever asks for skin wants to turn it. Who gets it with a new surface is left where he is.
-  if (!before) ImGui::SetScrollHereY(0);
-  section("Skin");
+  drawShown(workspace);
   const DisabledIf disabled(!workspace.session.results().mesh);
   Parameters p = workspace.session.parameters();
   FieldsEdit edit = drawSkin(p);
+  drawSkinShow(workspace);
   edit |= drawPigments(p);
   SkinShow& show = workspace.view.skin;
   edit |= drawScattering(p, show);
@@ -95,7 +101,6 @@ void drawSkinPanel(Workspace& workspace) {
   edit |= drawLight(p);
   edit |= landmarkRows(p, workspace.view);
   applyEdit(workspace, p, edit);
-  drawSkinShow(workspace);
 }
 
 }  // namespace sonoskin::ui

@@ -8,6 +8,7 @@
 #include "app/document/landmarks.h"
 #include "app/panels/parameter_rows.h"
 #include "app/panels/preset_row.h"
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -46,14 +47,6 @@ void wrappedTooltip(const char* text) {
   ImGui::EndTooltip();
 }
 
-// A button that is in the accent's colour while it is on.
-bool toggle(const std::string& title, bool on, float width) {
-  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.42f));
-  const bool pressed = ImGui::Button(title.c_str(), {width, 0});
-  if (on) ImGui::PopStyleColor();
-  return pressed;
-}
-
 FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState& view) {
   const NamedLandmark& landmark = kLandmarks[index];
   std::array<double, 3>& place = landmarks.*landmark.place;
@@ -62,7 +55,7 @@ FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState&
   beginRow(landmark.name);
   ImGui::PushID(landmark.name);
   const float width = ImGui::GetContentRegionAvail().x - clear - ImGui::GetStyle().ItemSpacing.x;
-  if (toggle(placing ? "Click on it" : isSet(place) ? "Place again" : "Place", placing, width)) {
+  if (switchButton(placing ? "Click on it" : isSet(place) ? "Place again" : "Place", placing, width)) {
     view.spaceTool = placing ? Tool::crossHair : Tool::landmark;
     view.landmark = index;
   }
@@ -104,8 +97,8 @@ void compareRows(SkinShow& show, const Parameters& p) {
     show.compare = SkinCompare(compare);
     if (show.compare == SkinCompare::settings && !show.kept) keep(show, p);
   }
-  if (show.compare != SkinCompare::settings) return;
   beginRow("");
+  const DisabledIf alone(show.compare != SkinCompare::settings);
   if (ImGui::Button("Keep this as A", {-1, 0})) keep(show, p);
   noteWidget("skin.keep");
   wrappedTooltip("The left half shows what is kept, the right half what the sliders say.");
@@ -173,14 +166,12 @@ FieldsEdit landmarkRows(Parameters& parameters, ViewState& view) {
 }
 
 void drawSkinShow(Workspace& workspace) {
-  ImGui::Dummy({0, 4 * unit()});
-  if (!ImGui::BeginTable("skin show", 2)) return;
-  ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, 62 * unit());
-  ImGui::TableSetupColumn("widget", ImGuiTableColumnFlags_WidthStretch);
+  heading(tr("View"));
+  if (!beginFields("skin show")) return;
   passRow(workspace.view.skin);
   compareRows(workspace.view.skin, workspace.session.parameters());
   qualityRows(workspace);
-  ImGui::EndTable();
+  endFields();
 }
 
 }  // namespace sonoskin::ui

@@ -19,7 +19,7 @@ std::string valueAt(const Scan& scan, const glm::ivec3& v) {
   return fmt::format("{:.0f} ({:.2f})", original, normalised);
 }
 
-void cell(const char* label, const std::string& value, const ImVec4& colour = kText) {
+void cell(const char* label, const std::string& value, const ImVec4& colour = colours().text) {
   ImGui::TextDisabled("%s", label);
   ImGui::SameLine(0, 5 * unit());
   ImGui::TextColored(colour, "%s", value.c_str());
@@ -33,7 +33,7 @@ void drawScanCells(const Scan& scan, const glm::dvec3& cursor) {
     cell("Spacing", fmt::format("{} × {} × {} mm", millimetres(g.spacing.x), millimetres(g.spacing.y),
                                 millimetres(g.spacing.z)));
   } else {
-    cell("Spacing", "unknown", kWarning);
+    cell("Spacing", "unknown", colours().warning);
   }
   const glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::round(g.toIndex(cursor))), glm::ivec3(0), g.dims - 1);
   const glm::dvec3 world = g.toWorld(glm::dvec3(voxel));
@@ -62,7 +62,7 @@ void drawMessagesButton(MessageLog& log) {
                                              : std::string("Messages");
   const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - 12 * unit());
-  ImGui::PushStyleColor(ImGuiCol_Text, log.unseen > 0 ? kWarning : kFaintText);
+  ImGui::PushStyleColor(ImGuiCol_Text, log.unseen > 0 ? colours().warning : colours().faintText);
   const bool pressed = ImGui::Button((label + "###messages").c_str());
   ImGui::PopStyleColor();
   noteWidget("status.messages");

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -26,7 +28,8 @@ void askSpacing(Workspace& workspace, bool known) {
   ImGui::PushTextWrapPos();
   if (!known)
     ImGui::TextColored(
-        kWarning, "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
+        colours().warning,
+        "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
   ImGui::PopTextWrapPos();
   glm::dvec3& spacing = workspace.typedSpacing;
   const double least = 0.001, most = 100;
@@ -73,30 +76,54 @@ std::string range(const Scan& scan) {
   return fmt::format("{} {:g} to {:g}", scan.originalType, scan.originalMin, scan.originalMax);
 }
 
+// What has no effect for the parameters' sake, or the file's.
+std::function<RowText(std::string_view)> scanUse(const Session& session, const Parameters& parameters) {
+  return [use = useOf(parameters, "scan"), given = session.givesSpacing()](std::string_view field) {
+    if (field == "spacing" && given) return RowText{.unused = tr("The file gives the spacing")};
+    return use(field);
+  };
+}
+
+void drawParameters(Workspace& workspace) {
+  Parameters parameters = workspace.session.parameters();
+  FieldsEdit edit = groupRows(tr("How it was recorded"), "scan", parameters.scan,
+                              {{}, false, scanUse(workspace.session, parameters)});
+  edit |= groupRows(tr("Simulated scan"), "phantom", parameters.phantom,
+                    {{}, false, useOf(parameters, "phantom")});
+  applyEdit(workspace, parameters, edit);
+  if (ImGui::Button(tr("Simulate again"), {-1, 0})) workspace.session.openPhantom();
+  noteWidget("phantom.simulate");
+}
+
+void drawFacts(const Session& session) {
+  const Scan& scan = session.scan();
+  const Geometry& g = scan.volume->geometry;
+  const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
+  fact(tr("Name"), session.name());
+  fact(tr("Voxels"), fmt::format("{} × {} × {}", g.dims.x, g.dims.y, g.dims.z));
+  const std::string spacing = fmt::format("{} × {} × {} mm", millimetres(g.spacing.x),
+                                          millimetres(g.spacing.y), millimetres(g.spacing.z));
+  fact(tr("Spacing"), scan.spacingKnown ? spacing : tr("unknown"), !scan.spacingKnown);
+  fact(tr("Size"), fmt::format("{:.0f} × {:.0f} × {:.0f} mm", size.x, size.y, size.z), !scan.spacingKnown);
+  fact(tr("Values"), range(scan));
+}
+
 }  // namespace
 
 void drawVolumePanel(Workspace& workspace) {
   const Session& session = workspace.session;
-  section("Volume");
-  if (!session.hasScan()) {
-    ImGui::TextDisabled("Nothing is open yet");
-    return;
+  if (session.hasScan()) {
+    drawFacts(session);
+    const Scan& scan = session.scan();
+    if (scan.timeSteps > 1) {
+      drawStepSlider(workspace, scan.timeSteps);
+      drawStepRange(workspace.play, scan.timeSteps);
+    }
+    if (!session.givesSpacing()) askSpacing(workspace, scan.spacingKnown);
+  } else {
+    ImGui::TextDisabled("%s", tr("Nothing is open yet"));
   }
-  const Scan& scan = session.scan();
-  const Geometry& g = scan.volume->geometry;
-  const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
-  fact("Name", session.name());
-  fact("Voxels", fmt::format("{} × {} × {}", g.dims.x, g.dims.y, g.dims.z));
-  const std::string spacing = fmt::format("{} × {} × {} mm", millimetres(g.spacing.x),
-                                          millimetres(g.spacing.y), millimetres(g.spacing.z));
-  fact("Spacing", scan.spacingKnown ? spacing : "unknown", !scan.spacingKnown);
-  fact("Size", fmt::format("{:.0f} × {:.0f} × {:.0f} mm", size.x, size.y, size.z), !scan.spacingKnown);
-  fact("Values", range(scan));
-  if (scan.timeSteps > 1) {
-    drawStepSlider(workspace, scan.timeSteps);
-    drawStepRange(workspace.play, scan.timeSteps);
-  }
-  if (!session.givesSpacing()) askSpacing(workspace, scan.spacingKnown);
+  drawParameters(workspace);
 }
 
 }  // namespace sonoskin::ui

@@ -37,6 +37,7 @@ double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, 
     drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
   }
   endPane();
+  views.shown.push_back({which, pane.corner, pane.size});
   if (alone) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();
@@ -87,6 +88,7 @@ double drawFourUp(FourUp& views, Workspace& workspace) {
   copyVolumes(views.scans, workspace);
   if (workspace.session.hasScan())
     workspace.view.planes = planeAxes(workspace.session.scan().volume->geometry, workspace.viewFrame());
+  views.shown.clear();
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
   // A copy: a double click changes it, and that counts from the next frame.
   if (const auto maximised = workspace.view.maximised)

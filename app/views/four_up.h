@@ -2,10 +2,12 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "app/views/double_click.h"
 #include "app/views/slice_window.h"
 #include "app/views/space_window.h"
+#include "app/workspace/shown_pane.h"
 #include "app/workspace/workspace.h"
 
 namespace sonoskin::ui {
@@ -17,6 +19,7 @@ struct FourUp {
   std::array<SliceWindow, 3> slices;  // by Plane
   SpaceWindow space;
   DoubleClick clicks;
+  std::vector<ShownPane> shown;  // in the last frame
 };
 
 // drawFourUp: two by two, or the maximised one alone, in what is left of the current ImGui window.

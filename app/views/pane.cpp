@@ -106,7 +106,7 @@ void paneTitle(const PaneInput& pane, const char* title, const ImVec4& colour, c
                      IM_COL32(6, 7, 9, 170), 3 * u);
   list.AddText(font, font->FontSize, {p.x + u, p.y + u}, IM_COL32(0, 0, 0, 200), title);
   list.AddText(font, font->FontSize, p, ImGui::GetColorU32(colour), title);
-  shadedText({p.x + width + 10 * u, p.y + 2 * u}, kText, text);
+  shadedText({p.x + width + 10 * u, p.y + u}, kText, text);
 }
 
 void paneText(const PaneInput& pane, const std::string& text) {

@@ -20,7 +20,7 @@ constexpr double kPreparingSeconds = 0.06;  // between looks at how far the skin
 std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
   std::string text = grouped(w.session.results().mesh->triangles.size()) + " triangles";
   if (!w.session.meshIsCurrent()) {
-    text += ", older than the parameters";
+    text += ", stale";
   } else if (!w.session.meshIsFinal()) {
     text += " (live)";
   }
@@ -32,10 +32,9 @@ std::string caption(const SpaceWindow& window, const Workspace& w) {
   const ViewState& v = w.view;
   if (showsParts(w)) return partCaption(w);
   if (showsMesh(w)) return meshCaption(window, w);
-  const char* layer = v.volumeLayer == VolumeLayer::raw ? "Raw volume" : "Classified volume";
-  const bool coarse = v.volumeLayer == VolumeLayer::classified && w.session.classifiedIsCoarse();
-  return fmt::format("{}{}, level {:.2f}", layer, coarse ? " (coarse)" : "",
-                     shownLevel(v, w.session.results()));
+  const bool raw = v.volumeLayer == VolumeLayer::raw;
+  const char* layer = raw ? "raw" : w.session.classifiedIsCoarse() ? "coarse" : "classified";
+  return fmt::format("{}, level {:.2f}", layer, shownLevel(v, w.session.results()));
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ std::string fieldLabel(const Field& field) {
 
 std::string greekSymbol(std::string_view symbol) {
   static const std::map<std::string_view, const char*> letters{
-      {"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"kappa", "κ"},
-      {"lambda", "λ"}, {"sigma", "σ"}, {"tau", "τ"},   {"mu", "μ"},    {"theta", "θ"}};
+      {"alpha", "α"},  {"beta", "β"},    {"gamma", "γ"},     {"delta", "δ"},       {"kappa", "κ"},
+      {"lambda", "λ"}, {"sigma", "σ"},   {"tau", "τ"},       {"mu", "μ"},          {"theta", "θ"},
+      {"rho", "ρ"},    {"rho_s", "ρ_s"}, {"sigma_a", "σ_a"}, {"sigma_s'", "σ′_s"}, {"sqrt(a_max)", "√a_max"}};
   const auto found = letters.find(symbol);
   return found == letters.end() ? std::string(symbol) : found->second;
 }

@@ -27,7 +27,7 @@ struct FieldsEdit {
 // RowText: what a row says beyond its field.
 struct RowText {
   std::string label = {};           // instead of the field's own name
-  std::string shown = {};           // on a slider instead of the number
+  std::string shown = {};           // instead of the number and its unit
   std::optional<double> grab = {};  // where the slider's grab stands instead of at the value
   std::string found = {};           // how the value was found, for the tooltip
   std::string unused = {};          // why the parameter has no effect just now; the row is grey then
@@ -40,8 +40,9 @@ struct FieldRow {
   RowText text = {};
 };
 
-// One row: label at the left, widget at the right; the tooltip has help, symbol, range and default. A double
-// click or the right button brings the default back, Ctrl+click lets one type.
+// One row: label and symbol at the left, then the widget, then the button that brings the default back. Numbers have a track
+// and the number beside it, which a click, or Ctrl+click on the track, lets one type. The tooltip has help, equation, symbol,
+// range and default; a double click or the right button brings the default back, too.
 FieldsEdit editField(const FieldRow& row, double& value, double standard, Range<double> range);
 FieldsEdit editField(const FieldRow& row, int& value, int standard, Range<int> range);
 FieldsEdit editField(const FieldRow& row, bool& value, bool standard);
@@ -63,8 +64,8 @@ FieldsEdit editField(const FieldRow& row, E& value, E standard) {
   return edit;
 }
 
-// beginRow: the label of a row of one's own, with its symbol if that is a Greek letter; the widget comes next, over the
-// whole cell.
+// beginRow: the label of a row of one's own, with its symbol; the widget comes next, as wide as those
+// of other rows.
 void beginRow(const std::string& label, const std::string& symbol = {});
 
 // beginFields, endFields: around the rows of a group. False where nothing is seen.

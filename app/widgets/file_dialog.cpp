@@ -59,7 +59,7 @@ bool drawEntries(FileDialog& dialog) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string shown = entry.folder ? entry.name + "/" : entry.name;
-    if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+    if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, colours().accent);
     if (ImGui::Selectable(shown.c_str(), !entry.folder && entry.name == dialog.name,
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
       const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -88,7 +88,8 @@ bool drawEntries(FileDialog& dialog) {
 // The line with the name and the buttons; true when the person wants the file.
 bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
   ImGui::PushTextWrapPos();
-  ImGui::TextColored(dialog.replaceAsked ? kWarning : kFailure, "%s", dialog.complaint.c_str());
+  ImGui::TextColored(dialog.replaceAsked ? colours().warning : colours().failure, "%s",
+                     dialog.complaint.c_str());
   ImGui::PopTextWrapPos();
   const float button = 92 * unit(), gap = ImGui::GetStyle().ItemSpacing.x;
   if (dialog.opening) ImGui::SetKeyboardFocusHere();
@@ -99,7 +100,7 @@ bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
   if (ImGui::IsItemEdited()) dialog.replaceAsked = false;
   noteWidget("file.name");
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.55f));
+  ImGui::PushStyleColor(ImGuiCol_Button, withAlpha(colours().accent, 0.55f));
   done |= ImGui::Button(dialog.replaceAsked ? "Replace" : text.button, {button, 0});
   ImGui::PopStyleColor();
   noteWidget("file.accept");

@@ -1,7 +1,6 @@
 #include "app/widgets/layout.h"
 
-#include <fmt/format.h>
-
+#include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
@@ -19,38 +18,86 @@ void section(const char* title) {
   ImGui::Dummy({0, 1 * unit()});
 }
 
+void heading(const char* title) {
+  ImGui::Dummy({0, 2 * unit()});
+  ImGui::PushFont(headingFont());
+  ImGui::TextDisabled("%s", title);
+  ImGui::PopFont();
+}
+
+void sentenceText(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colours().faintText);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
 void fact(const char* label, const std::string& value, bool warning) {
   ImGui::TextDisabled("%s", label);
   ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.36f);
-  ImGui::PushStyleColor(ImGuiCol_Text, warning ? kWarning : kText);
+  ImGui::PushStyleColor(ImGuiCol_Text, warning ? colours().warning : colours().text);
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
-bool segments(const char* id, std::initializer_list<const char*> names, int& chosen) {
+namespace {
+
+// The buttons are as wide as `width` says of their names.
+template <class Width>
+bool drawSegments(const char* id, std::initializer_list<const char*> names, int& chosen, const Width& width) {
   ImGui::PushID(id);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(1 * unit(), ImGui::GetStyle().ItemSpacing.y));
-  const float gaps = float(names.size() - 1) * ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gaps) / float(names.size());
   bool changed = false;
   int index = 0;
   for (const char* name : names) {
     if (index > 0) ImGui::SameLine();
-    const bool down = index == chosen;
-    if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.42f));
-    if (ImGui::Button(name, {width, 0}) && !down) {
+    if (switchButton(tr(name), index == chosen, width(name)) && index != chosen) {
       chosen = index;
       changed = true;
     }
     noteWidget(std::string(id) + "." + name);
-    if (down) ImGui::PopStyleColor();
     ++index;
   }
   ImGui::PopStyleVar();
   ImGui::PopID();
   return changed;
+}
+
+float textButtonWidth(const char* name) {
+  return ImGui::CalcTextSize(tr(name)).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+}  // namespace
+
+bool segments(const char* id, std::initializer_list<const char*> names, int& chosen) {
+  const float gaps = float(names.size() - 1) * unit();
+  const float width = (ImGui::GetContentRegionAvail().x - gaps) / float(names.size());
+  return drawSegments(id, names, chosen, [width](const char*) { return width; });
+}
+
+bool textSegments(const char* id, std::initializer_list<const char*> names, int& chosen) {
+  return drawSegments(id, names, chosen, textButtonWidth);
+}
+
+float textSegmentsWidth(std::initializer_list<const char*> names) {
+  float width = float(names.size() - 1) * unit();
+  for (const char* name : names) width += textButtonWidth(name);
+  return width;
+}
+
+// What is on keeps its colour below the mouse, only stronger.
+bool switchButton(const char* title, bool on, float width) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, withAlpha(colours().accent, 0.42f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, withAlpha(colours().accent, 0.54f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, withAlpha(colours().accent, 0.34f));
+  }
+  const bool pressed = ImGui::Button(title, {width, 0});
+  if (on) ImGui::PopStyleColor(3);
+  return pressed;
 }
 
 bool foldout(const char* title, const char* tooltip) {
@@ -66,7 +113,7 @@ bool foldout(const char* title, const char* tooltip) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const float u = unit(), r = 3.5f * u, x = min.x + 9 * u, y = 0.5f * (min.y + max.y);
-  const ImU32 colour = ImGui::GetColorU32(kFaintText);
+  const ImU32 colour = ImGui::GetColorU32(colours().faintText);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (*open) {
     list.AddTriangleFilled({x - r, y - 0.6f * r}, {x + r, y - 0.6f * r}, {x, y + r}, colour);
@@ -79,26 +126,12 @@ bool foldout(const char* title, const char* tooltip) {
 
 bool mainButton(const char* title, bool enabled) {
   const DisabledIf disabled(!enabled);
-  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.55f));
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.7f));
-  ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImVec4(kAccent.x, kAccent.y, kAccent.z, 0.45f));
+  ImGui::PushStyleColor(ImGuiCol_Button, withAlpha(colours().accent, 0.55f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, withAlpha(colours().accent, 0.7f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, withAlpha(colours().accent, 0.45f));
   const bool pressed = ImGui::Button(title, {-1, 34 * unit()});
   ImGui::PopStyleColor(3);
   return pressed;
-}
-
-std::string grouped(std::size_t number) {
-  const std::string digits = std::to_string(number);
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-    text += digits[i];
-  }
-  return text;
-}
-
-std::string millimetres(double value) {
-  return fmt::format("{:.{}f}", value, std::abs(value) < 1 ? 3 : std::abs(value) < 10 ? 2 : 1);
 }
 
 }  // namespace sonoskin::ui

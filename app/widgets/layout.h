@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "app/widgets/number_text.h"
+
 namespace sonoskin::ui {
 
 // Small pieces that the panels share.
@@ -12,11 +14,25 @@ namespace sonoskin::ui {
 // section: the heading of a part of the side panel.
 void section(const char* title);
 
+// heading: of rows that belong together, below a section.
+void heading(const char* title);
+
+// sentenceText: a faint sentence that is wrapped.
+void sentenceText(const char* text);
+
 // fact: a line "label   value"; a `warning` value is coloured.
 void fact(const char* label, const std::string& value, bool warning = false);
 
-// segments: a row of buttons of which one is down; true when another was pressed. `enabled` false greys it.
+// segments: a row of buttons of which one is down; true when another was pressed.
 bool segments(const char* id, std::initializer_list<const char*> names, int& chosen);
+
+// textSegments: the same with buttons as wide as their texts; textSegmentsWidth: of all of them.
+bool textSegments(const char* id, std::initializer_list<const char*> names, int& chosen);
+float textSegmentsWidth(std::initializer_list<const char*> names);
+
+// switchButton: a button in the accent's colour while it is on.
+//   width  0: as wide as its text
+bool switchButton(const char* title, bool on, float width = 0);
 
 // foldout: a heading that opens and closes what follows; true while it is open.
 bool foldout(const char* title, const char* tooltip);
@@ -32,10 +48,5 @@ class DisabledIf {
   DisabledIf(const DisabledIf&) = delete;
   DisabledIf& operator=(const DisabledIf&) = delete;
 };
-
-// grouped: 1234567 as "1,234,567".
-std::string grouped(std::size_t number);
-// millimetres: without needless digits: "0.52", "12.3".
-std::string millimetres(double value);
 
 }  // namespace sonoskin::ui

@@ -30,7 +30,7 @@ std::vector<double> decades(double from, double to) {
 void drawNumber(ImVec2 place, ImVec2 anchor, const std::string& text) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::GetWindowDrawList()->AddText({place.x - anchor.x * size.x, place.y - anchor.y * size.y},
-                                      ImGui::GetColorU32(kFaintText), text.c_str());
+                                      ImGui::GetColorU32(colours().faintText), text.c_str());
 }
 
 void drawUprightAxis(const PlotArea& area, ImU32 line) {

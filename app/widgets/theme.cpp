@@ -4,13 +4,15 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/widgets/font_files.h"
 
 namespace sonoskin::ui {
 namespace {
 
-constexpr float kTextSize = 15, kSmallSize = 12.5f;
+// Heights of a line. The size that is told of Inter elsewhere, its em, is 0.83 of that: 12 and more.
+constexpr float kTextSize = 15, kSmallSize = 14.5f;
 
 // Latin, Greek and Cyrillic for file names and symbols; punctuation, arrows, mathematics and shapes for
 // labels.
@@ -35,45 +37,67 @@ void addFont(FontStyle style, float pixels) {
   atlas.AddFontFromFileTTF(files.fallback.c_str(), pixels, &config, kGlyphs.data());
 }
 
-ImVec4 grey(float value, float alpha = 1) { return {value * 0.94f, value * 0.99f, value * 1.06f, alpha}; }
-ImVec4 accent(float alpha) { return {kAccent.x, kAccent.y, kAccent.z, alpha}; }
+Appearance used = Appearance::dark;
 
-void applyColours(ImVec4* c) {
-  c[ImGuiCol_Text] = kText;
-  c[ImGuiCol_TextDisabled] = kFaintText;
-  c[ImGuiCol_WindowBg] = grey(0.105f);
-  c[ImGuiCol_ChildBg] = grey(0.105f, 0);
-  c[ImGuiCol_PopupBg] = grey(0.135f, 0.98f);
-  c[ImGuiCol_Border] = grey(0.22f);
-  c[ImGuiCol_FrameBg] = grey(0.165f);
-  c[ImGuiCol_FrameBgHovered] = grey(0.205f);
-  c[ImGuiCol_FrameBgActive] = grey(0.225f);
-  c[ImGuiCol_MenuBarBg] = grey(0.125f);
-  c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.125f);
-  c[ImGuiCol_ScrollbarBg] = grey(0.1f, 0);
-  c[ImGuiCol_ScrollbarGrab] = grey(0.25f);
-  c[ImGuiCol_ScrollbarGrabHovered] = grey(0.32f);
-  c[ImGuiCol_ScrollbarGrabActive] = grey(0.38f);
-  c[ImGuiCol_CheckMark] = kAccent;
-  c[ImGuiCol_SliderGrab] = accent(0.85f);
-  c[ImGuiCol_SliderGrabActive] = kAccent;
-  c[ImGuiCol_Button] = grey(0.20f);
-  c[ImGuiCol_ButtonHovered] = grey(0.26f);
-  c[ImGuiCol_ButtonActive] = grey(0.17f);
-  c[ImGuiCol_Header] = grey(0.165f);
-  c[ImGuiCol_HeaderHovered] = grey(0.21f);
-  c[ImGuiCol_HeaderActive] = grey(0.24f);
-  c[ImGuiCol_Separator] = grey(0.2f);
-  c[ImGuiCol_PlotHistogram] = accent(0.5f);
-  c[ImGuiCol_TextSelectedBg] = accent(0.35f);
-  c[ImGuiCol_NavHighlight] = accent(0.8f);
+const Colours kDark{{0.099f, 0.104f, 0.111f, 1}, {0.87f, 0.89f, 0.91f, 1}, {0.60f, 0.64f, 0.69f, 1},
+                    {0.29f, 0.67f, 0.75f, 1},    {0.36f, 0.72f, 0.60f, 1}, {0.93f, 0.72f, 0.35f, 1},
+                    {0.93f, 0.45f, 0.42f, 1}};
+const Colours kLight{{0.945f, 0.950f, 0.955f, 1}, {0.10f, 0.12f, 0.14f, 1}, {0.36f, 0.39f, 0.43f, 1},
+                     {0.02f, 0.42f, 0.52f, 1},    {0.00f, 0.42f, 0.33f, 1}, {0.55f, 0.33f, 0.00f, 1},
+                     {0.72f, 0.13f, 0.10f, 1}};
+
+// Greys between the ground (0) and a part of the way to the text, a little bluish as both are.
+ImVec4 toward(const Colours& c, float share, float alpha = 1) {
+  return {c.ground.x + share * (c.text.x - c.ground.x), c.ground.y + share * (c.text.y - c.ground.y),
+          c.ground.z + share * (c.text.z - c.ground.z), alpha};
+}
+
+void applyColours(const Colours& of, ImVec4* c) {
+  const auto grey = [&](float share, float alpha = 1) { return toward(of, share, alpha); };
+  c[ImGuiCol_Text] = of.text;
+  c[ImGuiCol_TextDisabled] = of.faintText;
+  c[ImGuiCol_WindowBg] = of.ground;
+  c[ImGuiCol_ChildBg] = grey(0, 0);
+  c[ImGuiCol_PopupBg] = grey(0.035f, 0.98f);
+  c[ImGuiCol_Border] = grey(0.16f);
+  c[ImGuiCol_FrameBg] = grey(0.085f);
+  c[ImGuiCol_FrameBgHovered] = grey(0.135f);
+  c[ImGuiCol_FrameBgActive] = grey(0.16f);
+  c[ImGuiCol_MenuBarBg] = grey(0.03f);
+  c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.03f);
+  c[ImGuiCol_ScrollbarBg] = grey(0, 0);
+  c[ImGuiCol_ScrollbarGrab] = grey(0.2f);
+  c[ImGuiCol_ScrollbarGrabHovered] = grey(0.29f);
+  c[ImGuiCol_ScrollbarGrabActive] = grey(0.37f);
+  c[ImGuiCol_CheckMark] = of.accent;
+  c[ImGuiCol_SliderGrab] = withAlpha(of.accent, 0.85f);
+  c[ImGuiCol_SliderGrabActive] = of.accent;
+  c[ImGuiCol_Button] = grey(0.13f);
+  c[ImGuiCol_ButtonHovered] = grey(0.2f);
+  c[ImGuiCol_ButtonActive] = grey(0.09f);
+  c[ImGuiCol_Header] = grey(0.085f);
+  c[ImGuiCol_HeaderHovered] = grey(0.14f);
+  c[ImGuiCol_HeaderActive] = grey(0.18f);
+  c[ImGuiCol_Separator] = grey(0.13f);
+  c[ImGuiCol_PlotHistogram] = withAlpha(of.accent, 0.5f);
+  c[ImGuiCol_TextSelectedBg] = withAlpha(of.accent, 0.35f);
+  c[ImGuiCol_NavHighlight] = of.accent;
   c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);
-  c[ImGuiCol_TableHeaderBg] = grey(0.15f);
-  c[ImGuiCol_TableBorderLight] = grey(0.17f);
-  c[ImGuiCol_TableBorderStrong] = grey(0.2f);
+  c[ImGuiCol_TableHeaderBg] = grey(0.06f);
+  c[ImGuiCol_TableBorderLight] = grey(0.09f);
+  c[ImGuiCol_TableBorderStrong] = grey(0.13f);
 }
 
 }  // namespace
+
+const Colours& colours() { return coloursOf(used); }
+
+const Colours& coloursOf(Appearance appearance) { return appearance == Appearance::light ? kLight : kDark; }
+
+InAppearance::InAppearance(Appearance appearance) : before_(std::exchange(used, appearance)) {}
+InAppearance::~InAppearance() { used = before_; }
+
+ImVec4 withAlpha(const ImVec4& colour, float alpha) { return {colour.x, colour.y, colour.z, alpha}; }
 
 void loadFonts(float contentScale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -87,9 +111,10 @@ void loadFonts(float contentScale) {
 ImFont* headingFont() { return ImGui::GetIO().Fonts->Fonts[1]; }
 ImFont* smallFont() { return ImGui::GetIO().Fonts->Fonts[2]; }
 
-void applyTheme(float contentScale) {
+void applyTheme(float contentScale, Appearance appearance) {
+  used = appearance;
   ImGuiStyle style;
-  applyColours(style.Colors);
+  applyColours(colours(), style.Colors);
   style.WindowPadding = {12, 10};
   style.FramePadding = {8, 4};
   style.ItemSpacing = {8, 6};

@@ -7,8 +7,8 @@
 
 namespace sonoskin::ui {
 
-// Toasts: short messages at the lower right. Notes and, later, warnings leave by themselves; failures stay until they are
-// clicked. A click opens the log, which keeps them all.
+// Toasts: short messages. All leave by themselves, notes first, then warnings, then failures; a click opens the log, which keeps
+// them, and whose button counts the warnings and failures that nobody has looked at.
 struct Toasts {
   struct Toast {
     std::string text;
@@ -25,7 +25,12 @@ struct Toasts {
   void show(Toast toast);
 };
 
-// drawToasts: draws them above `bottom`; seconds until the next one must go, negative where none will.
-double drawToasts(Toasts& toasts, float right, float bottom);
+// ToastPlace: where they are: above one another, from `bottom` up, so wide.
+struct ToastPlace {
+  float left, bottom, width;
+};
+
+// drawToasts: seconds until the next one must go, negative where none will.
+double drawToasts(Toasts& toasts, ToastPlace place);
 
 }  // namespace sonoskin::ui

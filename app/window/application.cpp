@@ -27,7 +27,7 @@ constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0
 
 Application::Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters)
     : settings_(readSettings(settingsFile())),
-      window_("Sonoskin", {settings_.width, settings_.height}),
+      window_("Sonoskin", {settings_.width, settings_.height}, {settings_.appearance, settings_.scale}),
       workspace_(parameters) {
   TaskPool::instance().giveWay();
   gl::loadGl(glfwGetProcAddress);
@@ -42,7 +42,7 @@ Application::Application(const std::optional<std::filesystem::path>& file, const
 
 Application::~Application() {
   attempt([this] {
-    const glm::vec2 size = glm::vec2(window_.size()) / window_.contentScale();
+    const glm::vec2 size = glm::vec2(window_.size()) / window_.scale();
     workspace_.settings.width = static_cast<int>(size.x);
     workspace_.settings.height = static_cast<int>(size.y);
     writeSettings(settingsFile(), workspace_.settings);
@@ -93,7 +93,8 @@ void Application::answerClosing() {
 void Application::takeInput(const std::optional<Event>& event) {
   for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
   workspace_.view.trail = event ? event->through : std::vector<glm::vec2>();
-  if (!event || event->kind != Event::Kind::key || !event->down) return;
+  if (!event || menuKeys_.take(*event, workspace_)) return;
+  if (event->kind != Event::Kind::key || !event->down) return;
   const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
   if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);
 }
@@ -140,6 +141,9 @@ void Application::draw() {
   std::optional<Event> event;
   const bool begun = attempt([&] {
     if (atFrame && !window_.eventsWait()) atFrame();
+    window_.setLook({workspace_.settings.appearance, workspace_.settings.scale});
+    workspace_.screenScale = double(window_.screenScale());
+    menuKeys_.beforeFrame();
     event = window_.beginFrame();
   });
   if (!begun) return;
@@ -169,20 +173,18 @@ void Application::lookForGlErrors() {
 
 void Application::drawInterface() {
   ui::drawMenuBar(workspace_);
-  drawMain();
+  const ui::ToastPlace place = drawMain();
   ui::drawKeys(workspace_);
   ui::drawAbout(workspace_);
   ui::drawQuestion(workspace_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
-  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  const float below = ui::drawLog(workspace_);
-  toastsWant_ = ui::drawToasts(workspace_.toasts, viewport.Size.x - 16 * ui::unit(),
-                               viewport.Size.y - below - 48 * ui::unit());
+  ui::drawLog(workspace_);
+  toastsWant_ = ui::drawToasts(workspace_.toasts, place);
   if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
 }
 
-void Application::drawMain() {
+ui::ToastPlace Application::drawMain() {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize(viewport.WorkSize);
@@ -192,29 +194,17 @@ void Application::drawMain() {
                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();
   const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
-  const float top = ImGui::GetCursorPosY();
-  drawSidePanel(330 * ui::unit());
+  const float height = viewport.WorkSize.y - ImGui::GetCursorPosY() - status;
+  const ui::ToastPlace place = ui::drawSidePanel(workspace_, {ui::sidePanelWidth(), height});
   ImGui::SameLine(0, 0);
-  ImGui::BeginChild("views", {0, viewport.WorkSize.y - top - status});
+  ImGui::BeginChild("views", {0, height});
   viewsWant_ = ui::drawFourUp(views_, workspace_);
+  ui::drawViewBars(workspace_, views_.shown);
   ImGui::EndChild();
   ImGui::SetCursorPos({12 * ui::unit(), viewport.WorkSize.y - status + 3 * ui::unit()});
   ui::drawStatusBar(workspace_);
   ImGui::End();
-}
-
-void Application::drawSidePanel(float width) {
-  const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
-  ImGui::BeginChild("side", {width, ImGui::GetMainViewport()->WorkSize.y - status}, false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ui::drawVolumePanel(workspace_);
-  ui::drawRegionPanel(workspace_);
-  ui::drawClassificationPanel(workspace_);
-  ui::drawReconstructionPanel(workspace_);
-  ui::drawViewPanel(workspace_);
-  ui::drawSkinPanel(workspace_);
-  ui::drawMorePanel(workspace_);
-  ImGui::EndChild();
+  return place;
 }
 
 }  // namespace sonoskin

@@ -9,6 +9,7 @@
 #include "app/views/four_up.h"
 #include "app/window/background_context.h"
 #include "app/window/desktop_window.h"
+#include "app/window/menu_keys.h"
 #include "app/workspace/objects_seen.h"
 #include "app/workspace/workspace.h"
 #include "core/base/log.h"
@@ -41,8 +42,7 @@ class Application {
   void drawInterface();
   void answerClosing();
   void lookForGlErrors();
-  void drawSidePanel(float width);
-  void drawMain();
+  ui::ToastPlace drawMain();  // where messages may lie
   void act(const ui::FileChoice& choice);
   void saveSkin(const std::filesystem::path& path, bool light);
   void savePicture(const std::filesystem::path& path);
@@ -55,6 +55,7 @@ class Application {
   DesktopWindow window_;
   std::optional<BackgroundContext> background_;  // made when first needed
   Workspace workspace_;
+  MenuKeys menuKeys_;
   ui::FourUp views_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;

@@ -6,11 +6,15 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include "app/widgets/open_lists.h"
 #include "app/widgets/theme.h"
 #include "core/base/error.h"
 
 namespace sonoskin {
 namespace {
+
+constexpr int kDenseScreen =
+    3200;  // pixels side by side, from which those of a scale of 1 are too small to read
 
 // GLFW reports what went wrong through a function without state of ours: its last words are kept here.
 std::string& lastGlfwError() {
@@ -28,7 +32,8 @@ std::string& lastGlfwError() {
 
 }  // namespace
 
-DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size) {
+DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size, const WindowLook& look)
+    : look_(look) {
   glfwSetErrorCallback([](int, const char* text) { lastGlfwError() = text; });
   if (!glfwInit()) giveUp("a display");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -41,6 +46,8 @@ DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size) {
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window_, 800, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
   events_.attach(window_);
+  const float wanted = scale() / events_.contentScale();  // the window has the system's scale already
+  if (wanted != 1) glfwSetWindowSize(window_, int(wanted * float(size.x)), int(wanted * float(size.y)));
 
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;          // the layout is computed, there is nothing to remember
@@ -56,21 +63,32 @@ DesktopWindow::~DesktopWindow() {
   glfwTerminate();
 }
 
-void DesktopWindow::applyContentScale() {
+float DesktopWindow::screenScale() const {
+  const float told = events_.contentScale();
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  return told == 1 && mode && mode->width >= kDenseScreen ? 2 : told;
+}
+
+float DesktopWindow::scale() const { return look_.scale > 0 ? float(look_.scale) : screenScale(); }
+
+void DesktopWindow::applyLook() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();
-  const float wanted = events_.contentScale();
-  ui::loadFonts(wanted);
-  ui::applyTheme(wanted);
+  const WindowLook wanted{look_.appearance, double(scale())};
+  ui::loadFonts(scale());
+  ui::applyTheme(scale(), look_.appearance);
   ImGui_ImplOpenGL3_CreateFontsTexture();
-  scale_ = wanted;  // tried again in the next frame where one of these failed
+  drawn_ = wanted;  // tried again in the next frame where one of these failed
+  events_.requestFrames(3);
 }
 
 std::optional<Event> DesktopWindow::beginFrame() {
-  if (scale_ != events_.contentScale()) applyContentScale();
+  if (drawn_ != WindowLook{look_.appearance, double(scale())}) applyLook();
   const std::optional<Event> event = events_.take();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   feed_.feed(event, events_.knownUntil(), ImGui::GetIO());
+  ui::steerLists();
   ImGui::NewFrame();
   events_.hasBegun();
   return event;

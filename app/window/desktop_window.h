@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/widgets/appearance.h"
 #include "app/window/event_feed.h"
 #include "app/window/window_events.h"
 
@@ -13,13 +14,22 @@ struct GLFWwindow;
 
 namespace sonoskin {
 
+// WindowLook: how the interface is drawn.
+//   scale  of texts and widgets; 0: as the screen has it
+struct WindowLook {
+  Appearance appearance = Appearance::dark;
+  double scale = 0;
+  friend bool operator==(const WindowLook&, const WindowLook&) = default;
+};
+
 // DesktopWindow: one window of the desktop with an OpenGL 4.5 context, which it makes current, and Dear ImGui
 // on top. It draws only when asked: a still window costs no time.
 //   errors   Error (system): no display, or no OpenGL 4.5
 //   threads  main thread only
 class DesktopWindow {
  public:
-  DesktopWindow(const std::string& title, glm::ivec2 size);
+  //   size  at scale 1
+  DesktopWindow(const std::string& title, glm::ivec2 size, const WindowLook& look);
   ~DesktopWindow();
   DesktopWindow(const DesktopWindow&) = delete;
   DesktopWindow& operator=(const DesktopWindow&) = delete;
@@ -44,15 +54,20 @@ class DesktopWindow {
   void keepOpen();  // takes a request to close back
   // takeDroppedFiles: what was dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDroppedFiles() { return events_.takeDroppedFiles(); }
-  float contentScale() const { return events_.contentScale(); }
+  // setLook: from the next frame on.
+  void setLook(const WindowLook& look) { look_ = look; }
+  float scale() const;  // in use
+  float screenScale()
+      const;  // what the system tells; 2 on a screen of 3200 pixels and more for which it tells none
   glm::ivec2 size() const;             // in the units of mouse positions
   glm::ivec2 framebufferSize() const;  // in pixels
 
  private:
-  void applyContentScale();
+  void applyLook();
 
   GLFWwindow* window_ = nullptr;
-  float scale_ = 0;  // of the fonts; none yet
+  WindowLook look_;
+  WindowLook drawn_{Appearance::dark, -1};  // with which the fonts are made; none yet
   WindowEvents events_;
   EventFeed feed_;
 };

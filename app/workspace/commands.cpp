@@ -16,8 +16,8 @@ namespace {
 
 std::vector<Command> allCommands() {
   std::vector<Command> all;
-  for (const auto table : {fileCommands, editCommands, viewCommands, planeCommands, regionCommands,
-                           surfaceCommands, helpCommands})
+  for (const auto table : {fileCommands, editCommands, viewCommands, planeCommands, lookCommands,
+                           stepCommands, regionCommands, surfaceCommands, helpCommands})
     all.insert(all.end(), table().begin(), table().end());
   return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -7,7 +8,11 @@ namespace sonoskin {
 
 struct Workspace;
 
-enum class Menu { file, edit, view, region, surface, help };
+enum class Menu { file, edit, view, steps, region, surface, help };
+
+// kMenuTitles: of the menus, by Menu, in English.
+inline constexpr std::array<const char*, 7> kMenuTitles{"File",   "Edit",    "View", "Steps",
+                                                        "Region", "Surface", "Help"};
 
 // Shortcut: a key of GLFW, with Control and Shift as said; 0 for none.
 struct Shortcut {

@@ -18,10 +18,17 @@ using nlohmann::json;
 constexpr std::size_t kMostRecent = 8;
 constexpr fs::perms kMine = fs::perms::owner_read | fs::perms::owner_write;
 
-SkinQualityChoice qualityNamed(const std::string& name) {
-  const auto names = enumNames(SkinQualityChoice{});
+// The value of a name; the first one where nothing has it.
+template <class E>
+E named(const std::string& name) {
+  const auto names = enumNames(E{});
   const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? SkinQualityChoice::automatic : SkinQualityChoice(found - names.begin());
+  return found == names.end() ? E{} : E(found - names.begin());
+}
+
+double scaleIn(const json& root) {
+  const double scale = root.value("scale", 0.0);
+  return scale > 0 ? std::clamp(scale, kLeastScale, kMostScale) : 0;
 }
 
 }  // namespace
@@ -60,7 +67,9 @@ Settings readSettings(const fs::path& file) {
     // As double: the library casts a number that no int holds, which C++ leaves undefined.
     settings.width = int(std::clamp(root.value("width", double(settings.width)), 800.0, 8192.0));
     settings.height = int(std::clamp(root.value("height", double(settings.height)), 600.0, 8192.0));
-    settings.skinQuality = qualityNamed(root.value("skinQuality", std::string()));
+    settings.skinQuality = named<SkinQualityChoice>(root.value("skinQuality", std::string()));
+    settings.appearance = named<Appearance>(root.value("appearance", std::string()));
+    settings.scale = scaleIn(root);
   } catch (const json::exception&) {
     return {};
   }
@@ -76,7 +85,9 @@ void writeSettings(const fs::path& file, const Settings& settings) {
                   {"remembersFiles", settings.remembersFiles},
                   {"width", settings.width},
                   {"height", settings.height},
-                  {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]}};
+                  {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]},
+                  {"appearance", enumNames(Appearance{})[std::size_t(settings.appearance)]},
+                  {"scale", settings.scale}};
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

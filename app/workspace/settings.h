@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "app/widgets/appearance.h"
+
 namespace sonoskin {
 
 // SkinQualityChoice: how fine skin is shown in the window; automatic: as fine as the machine draws it fluently.
 enum class SkinQualityChoice { automatic, full, light };
 constexpr std::array<const char*, 3> enumNames(SkinQualityChoice) { return {"automatic", "full", "light"}; }
+
+inline constexpr double kLeastScale = 1, kMostScale = 3;
 
 // Settings: what the window remembers from one start to the next.
 struct Settings {
@@ -18,6 +22,8 @@ struct Settings {
   bool remembersFiles = true;                 // whether `recent` is filled and kept
   int width = 1500, height = 940;             // of the window, at content scale 1
   SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
+  Appearance appearance = Appearance::dark;
+  double scale = 0;  // of texts and widgets, kLeastScale to kMostScale; 0: as the screen has it
 
   // noteOpened: puts a volume at the head of the recent ones.
   void noteOpened(const std::filesystem::path& file);

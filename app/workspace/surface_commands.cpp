@@ -45,12 +45,16 @@ bool busy(const W& w) { return w.session.activity().busy; }
 
 bool isAsked(const W& w) { return w.question || w.choice || w.rawQuestion; }
 
+bool isHelped(const W& w) { return w.keysShown || w.aboutShown; }
+
 // Escape ends what is most in the way.
 void escape(W& w) {
   if (isAsked(w)) {
     w.question.reset();
     w.choice.reset();
     w.rawQuestion.reset();
+  } else if (isHelped(w)) {
+    w.keysShown = w.aboutShown = false;
   } else if (const Tool* tool = chosenTool(w)) {
     putAway(w.view, *tool);
   } else if (busy(w)) {
@@ -59,7 +63,9 @@ void escape(W& w) {
     w.view.maximised.reset();
   }
 }
-bool canEscape(const W& w) { return isAsked(w) || chosenTool(w) || busy(w) || w.view.maximised; }
+bool canEscape(const W& w) {
+  return isAsked(w) || isHelped(w) || chosenTool(w) || busy(w) || w.view.maximised;
+}
 
 // clang-format off
 const Command kCommands[] = {

@@ -9,7 +9,10 @@
 #include "app/document/session.h"
 #include "app/widgets/file_dialog.h"
 #include "app/widgets/toasts.h"
+#include "app/workspace/commands.h"
 #include "app/workspace/settings.h"
+#include "app/workspace/step.h"
+#include "app/workspace/time_left.h"
 #include "app/workspace/time_play.h"
 #include "app/workspace/view_state.h"
 
@@ -51,10 +54,14 @@ struct Workspace {
   std::optional<Question> question;
   std::optional<VolumeChoice> choice;      // of several volumes in a file, which the person is asked to make
   std::optional<RawQuestion> rawQuestion;  // what a file without a header holds
+  Step step = Step::volume;                // whose parameters are shown
+  TimeLeft timeLeft;
   TimePlay play;
   bool keysShown = false, aboutShown = false;
-  glm::dvec3 typedSpacing{1};  // mm; for files that give none
-  std::string glInfo;          // the driver's words
+  std::optional<Menu> menuAsked;  // by a key, to be opened
+  double screenScale = 1;         // of texts and widgets, where the settings have none
+  glm::dvec3 typedSpacing{1};     // mm; for files that give none
+  std::string glInfo;             // the driver's words
   bool quit = false;
 };
 

@@ -91,6 +91,42 @@ TEST(Escape, EndsWhatIsMostInTheWay) {
   EXPECT_FALSE(canEscape(workspace));
 }
 
+// What lies over everything else goes first, and the work goes on.
+TEST(Escape, ClosesKeysAndAboutBeforeItCancels) {
+  Workspace workspace{Parameters()};
+  workspace.session.openPhantom();
+  for (bool Workspace::*shown : {&Workspace::keysShown, &Workspace::aboutShown}) {
+    workspace.*shown = true;
+    escape(workspace);
+    EXPECT_FALSE(workspace.*shown);
+    EXPECT_TRUE(workspace.session.activity().busy);
+  }
+  escape(workspace);
+  ASSERT_TRUE(test::wait(workspace.session));
+  EXPECT_FALSE(workspace.session.hasScan());
+}
+
+TEST(Commands, ScaleGoesByQuartersFromWhereTheScreenHasIt) {
+  Workspace workspace{Parameters()};
+  workspace.screenScale = 1.6;
+  double& scale = workspace.settings.scale;
+  command("view.larger").run(workspace);
+  EXPECT_EQ(scale, 1.75);
+  command("view.smaller").run(workspace);
+  command("view.smaller").run(workspace);
+  EXPECT_EQ(scale, 1.25);
+  command("view.smaller").run(workspace);
+  EXPECT_EQ(scale, kLeastScale);
+  EXPECT_FALSE(isEnabled(command("view.smaller"), workspace));
+  scale = kMostScale;
+  EXPECT_FALSE(isEnabled(command("view.larger"), workspace));
+  command("view.autoScale").run(workspace);
+  EXPECT_EQ(scale, 0);
+  command("view.light").run(workspace);
+  EXPECT_EQ(workspace.settings.appearance, Appearance::light);
+  EXPECT_TRUE(command("view.light").checked(workspace));
+}
+
 TEST(Commands, UndoRunsOnTheWorkspace) {
   Workspace workspace{Parameters()};
   Parameters changed;

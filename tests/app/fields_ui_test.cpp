@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "app/widgets/field_equations.h"
+#include "app/widgets/number_row.h"
 #include "core/classification/classification_options.h"
 #include "core/pipeline/parameters.h"
 #include "tests/support/imgui_test.h"
@@ -93,11 +95,82 @@ TEST_F(FieldsUi, RightButtonBringsTheDefaultBack) {
   EXPECT_DOUBLE_EQ(parameters.classification.alpha, ClassificationOptions().alpha);
 }
 
+TEST_F(FieldsUi, TheNumberLiesBesideTheTrack) {
+  const auto &track = rects.byName.at("classification.beta"),
+             &number = rects.byName.at("classification.beta.number");
+  EXPECT_GE(number.min.x, track.max.x);
+  EXPECT_EQ(number.min.y, track.min.y);
+}
+
+TEST_F(FieldsUi, AClickOnTheNumberLetsOneTypeIt) {
+  const auto before = rects.byName.at("classification.gamma.number");
+  moveTo("classification.gamma.number", 0.5f);
+  frame();
+  press(0, true);
+  press(0, false);
+  frame();
+  frame();
+  EXPECT_EQ(rects.byName.at("classification.gamma.number").min.x, before.min.x) << "it has moved";
+  EXPECT_EQ(rects.byName.at("classification.gamma.number").max.x, before.max.x);
+  for (const char c : std::string("1,75")) ImGui::GetIO().AddInputCharacter(unsigned(c));
+  FieldsEdit edit = frame();
+  EXPECT_FALSE(edit.changed) << "what is half typed";
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Enter] = 1;
+  io.KeysDown[1] = true;
+  edit = frame();
+  io.KeysDown[1] = false;
+  edit |= frame();
+  EXPECT_TRUE(edit.changed && edit.finished);
+  EXPECT_DOUBLE_EQ(parameters.classification.gamma, 1.75);
+}
+
+TEST_F(FieldsUi, TheButtonOfTheDefaultHasItsPlaceAndComesWhenItIsNeeded) {
+  EXPECT_FALSE(rects.byName.contains("classification.alpha.reset"));
+  const auto before = rects.byName.at("classification.alpha.number");
+  parameters.classification.alpha = 3;
+  frame();
+  ASSERT_TRUE(rects.byName.contains("classification.alpha.reset"));
+  EXPECT_EQ(rects.byName.at("classification.alpha.number").max.x, before.max.x);
+  moveTo("classification.alpha.reset", 0.5f);
+  frame();
+  press(0, true);
+  EXPECT_TRUE(press(0, false).finished);
+  EXPECT_DOUBLE_EQ(parameters.classification.alpha, ClassificationOptions().alpha);
+}
+
 TEST_F(FieldsUi, NothingChangesWithoutTheMouse) {
   parameters.classification.alpha = 0.0123456;  // not a number that a slider would choose
   const FieldsEdit edit = frame();
   EXPECT_FALSE(edit.changed || edit.finished);
   EXPECT_DOUBLE_EQ(parameters.classification.alpha, 0.0123456);
+}
+
+TEST(FieldText, WhatIsTypedIsANumber) {
+  EXPECT_EQ(numberTyped("1.5"), 1.5);
+  EXPECT_EQ(numberTyped(" 1,5 mm"), 1.5);
+  EXPECT_EQ(numberTyped("+2e-3"), 2e-3);
+  for (const char* none : {"", "mm", "inf", "nan", "--1"}) EXPECT_FALSE(numberTyped(none)) << none;
+}
+
+// The classification's numbers stand in what it solves, and no equation is without its parameter.
+TEST(FieldText, ParametersWithSymbolsHaveTheirEquations) {
+  ClassificationOptions options;
+  std::size_t count = 0;
+  fields(
+      [&](const Field& field, auto&, auto...) {
+        const std::string_view equation = equationOf("classification." + std::string(field.name));
+        EXPECT_EQ(equation.empty(), field.symbol.empty()) << field.name;
+        if (field.symbol.size() > 0 && field.name != "farthest") {
+          EXPECT_NE(equation.find(greekSymbol(field.symbol)), std::string_view::npos) << field.name;
+          ++count;
+        }
+      },
+      options);
+  EXPECT_GE(count, 12u);
+  for (const char* name : {"alpha", "beta", "gamma"})
+    EXPECT_TRUE(equationOf(std::string("classification.") + name).starts_with("E(u) = "));
+  EXPECT_TRUE(equationOf("classification.nothing").empty());
 }
 
 TEST(FieldText, LabelsAndNumbers) {

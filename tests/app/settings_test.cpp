@@ -16,5 +16,23 @@ TEST(Settings, SizesThatNoScreenHasBecomeTheNearestOnes) {
   EXPECT_EQ(read.height, 8192);
 }
 
+TEST(Settings, ThemeAndScaleAreKept) {
+  const test::TempFolder folder;
+  Settings settings;
+  EXPECT_EQ(settings.appearance, Appearance::dark);
+  EXPECT_EQ(settings.scale, 0) << "as the screen has it";
+  settings.appearance = Appearance::light;
+  settings.scale = 1.75;
+  writeSettings(folder / "settings.json", settings);
+  const Settings read = readSettings(folder / "settings.json");
+  EXPECT_EQ(read.appearance, Appearance::light);
+  EXPECT_EQ(read.scale, 1.75);
+  folder.write("settings.json", R"({"scale": 40, "appearance": "pink"})");
+  EXPECT_EQ(readSettings(folder / "settings.json").scale, kMostScale);
+  EXPECT_EQ(readSettings(folder / "settings.json").appearance, Appearance::dark);
+  folder.write("settings.json", R"({"scale": -1})");
+  EXPECT_EQ(readSettings(folder / "settings.json").scale, 0);
+}
+
 }  // namespace
 }  // namespace sonoskin

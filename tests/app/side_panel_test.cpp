@@ -1,11 +1,14 @@
-// The panels of parameters, one below the other, without a window and without OpenGL.
+// The side panel without a window and without OpenGL: the list of steps, the parameters of each, the work below.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <map>
+#include <set>
 #include <string>
-#include <vector>
 
 #include "app/panels/panels.h"
+#include "app/workspace/commands.h"
+#include "tests/app/session_support.h"
 #include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {
@@ -23,10 +26,7 @@ class SidePanel : public ImGuiTest {
     for (int i = 0; i < count; ++i) {
       rects.byName.clear();
       beginFrame();
-      drawRegionPanel(workspace);
-      drawClassificationPanel(workspace);
-      drawReconstructionPanel(workspace);
-      drawMorePanel(workspace);
+      place = drawSidePanel(workspace, {400, 6000});
       ImGui::End();
       ImGui::Render();
     }
@@ -42,68 +42,120 @@ class SidePanel : public ImGuiTest {
       frames(2);
     }
   }
-  void openAll() {
-    std::vector<std::string> names;
-    for (const auto& [name, rect] : rects.byName)
-      if (name.starts_with("foldout.") && name != "foldout.Crop box") names.push_back(name);
-    for (const std::string& name : names) click(name);
+  void open(Step step) {
+    click(std::string("step.") + stepName(step));
+    ASSERT_EQ(workspace.step, step);
   }
-  // rows: how many parameters of the group are there, of how many.
-  std::pair<int, int> rows(std::string_view group) const {
-    int there = 0, all = 0;
-    forEachField(
-        [&](const Group& g, const Field& field, auto&, auto...) {
-          if (g.name != group) return;
-          ++all;
-          there += rects.byName.contains(std::string(group) + "." + std::string(field.name));
-        },
-        parameters);
-    return {there, all};
+  void makeSurface() {
+    workspace.session.openPhantom();
+    ASSERT_TRUE(test::wait(workspace.session));
+    workspace.session.reconstruct();
+    ASSERT_TRUE(test::wait(workspace.session));
+    ASSERT_TRUE(workspace.session.results().mesh);
   }
-
-  Workspace workspace{Parameters{}};
+  Workspace workspace{test::tinySurface()};
   const Parameters parameters{};
+  ToastPlace place{};
 };
 
-TEST_F(SidePanel, ShowsFewParametersAtFirst) {
-  EXPECT_TRUE(rects.byName.contains("reconstruction.smoothness"));
-  EXPECT_EQ(rows("reconstruction").first, 1);
-  for (const char* group : {"mesh", "print", "surface", "scan", "global"}) EXPECT_EQ(rows(group).first, 0);
+TEST_F(SidePanel, AClickOnAStepShowsItsParametersAlone) {
+  const std::pair<Step, const char*> rowsOf[] = {{Step::volume, "scan.spacing"},
+                                                 {Step::classify, "classification.isoValue"},
+                                                 {Step::surface, "reconstruction.smoothness"},
+                                                 {Step::skin, "skin.wetness"},
+                                                 {Step::output, "print.form"}};
+  for (const auto& [step, row] : rowsOf) {
+    open(step);
+    for (const auto& [other, otherRow] : rowsOf)
+      EXPECT_EQ(rects.byName.contains(otherRow), other == step) << otherRow;
+  }
 }
 
-TEST_F(SidePanel, HasARowForEveryParameter) {
-  openAll();
-  groups(
-      [&](const Group& group, auto&) {
-        for (const char* elsewhere : {"raw", "region", "global", "skin", "light", "landmarks"})
+TEST_F(SidePanel, EveryParameterIsInOneStep) {
+  makeSurface();  // without one the skin's headings are closed
+  std::set<std::string> seen;
+  for (const Step step : kSteps) {
+    open(step);
+    const auto closed = rects.byName;
+    for (const auto& [name, rect] : closed)
+      if (name.starts_with("foldout.")) click(name);
+    forEachField(
+        [&](const Group& group, const Field& field, auto&, auto...) {
+          const std::string id = std::string(group.name) + "." + std::string(field.name);
+          if (rects.byName.contains(id)) {
+            EXPECT_TRUE(seen.insert(id).second) << id << " is there twice";
+          }
+        },
+        parameters);
+  }
+  forEachField(
+      [&](const Group& group, const Field& field, auto&, auto...) {
+        for (const char* elsewhere : {"raw", "region", "landmarks"})
           if (group.name == elsewhere) return;
-        EXPECT_GT(rows(group.name).second, 0) << group.name;
-        EXPECT_EQ(rows(group.name).first, rows(group.name).second) << group.name;
+        EXPECT_TRUE(seen.contains(std::string(group.name) + "." + std::string(field.name)))
+            << group.name << "." << field.name;
       },
       parameters);
-  EXPECT_EQ(rows("global").first, 0) << "only for the global method";
-  Parameters global;
-  global.reconstruction.method = ReconstructionMethod::global;
-  workspace.session.edit(global);
+}
+
+// What is solved lies together, at the top, each with its symbol beside it.
+TEST_F(SidePanel, TheEquationsParametersComeFirst) {
+  open(Step::classify);
+  float last = 0;
+  for (const char* name : {"isoValue", "alpha", "beta", "gamma", "isoShare", "lowPass"}) {
+    const auto& rect = rects.byName.at(std::string("classification.") + name);
+    EXPECT_GT(rect.min.y, last) << name;
+    if (last > 0) {
+      EXPECT_LT(rect.min.y, last + 40) << name;
+    }
+    last = rect.min.y;
+  }
+}
+
+// Nothing that comes and goes moves a row: neither work, nor a result, nor what is said of it.
+TEST_F(SidePanel, NoRowShiftsWhileAScanIsOpenedAndASurfaceMade) {
+  std::map<std::string, WidgetRects::Rect> before;
+  const Step steps[] = {Step::classify, Step::surface, Step::skin, Step::output};
+  for (const Step step : steps) {
+    open(step);
+    before.insert(rects.byName.begin(), rects.byName.end());
+  }
+  const auto compare = [&](const char* when) {
+    for (const auto& [name, rect] : rects.byName) {
+      if (!before.contains(name) || name.starts_with("step.")) continue;
+      EXPECT_EQ(rect.min.y, before.at(name).min.y) << name << when;
+      EXPECT_EQ(rect.min.x, before.at(name).min.x) << name << when;
+    }
+  };
+  workspace.session.openPhantom();
   frames(2);
-  EXPECT_EQ(rows("global").first, rows("global").second);
+  compare(" while it is opened");
+  ASSERT_TRUE(test::wait(workspace.session));
+  workspace.session.reconstruct();
+  for (const Step step : steps) {
+    open(step);
+    compare(" while a surface is made");
+  }
+  ASSERT_TRUE(test::wait(workspace.session));
+  ASSERT_TRUE(workspace.session.results().mesh);
+  for (const Step step : steps) {
+    open(step);
+    compare(" when it is there");
+  }
 }
 
-// Two headings are called "Advanced": each opens its own.
-TEST_F(SidePanel, HeadingsOfTheSameNameOpenOneAtATime) {
-  click("foldout.Advanced##surface");
-  EXPECT_EQ(rows("mesh").first, rows("mesh").second);
-  EXPECT_LT(rows("classification").first, rows("classification").second);
+TEST_F(SidePanel, ToastsLieOverTheParametersAlone) {
+  const auto& button = rects.byName.at("surface.reconstruct");
+  EXPECT_LT(place.bottom, button.min.y);
+  EXPECT_GE(place.left, 0);
+  EXPECT_LE(place.left + place.width, 400);
 }
 
-// The same heading twice would be two lists of the same parameters.
-TEST_F(SidePanel, NoGroupIsListedTwice) {
-  for (const char* heading :
-       {"foldout.Reconstruction", "foldout.Mesh", "foldout.Print", "foldout.Global", "foldout.Classification",
-        "foldout.Region", "foldout.Skin", "foldout.Light", "foldout.Landmarks"})
-    EXPECT_FALSE(rects.byName.contains(heading)) << heading;
-  for (const char* heading : {"foldout.Scan", "foldout.Surface", "foldout.Phantom"})
-    EXPECT_TRUE(rects.byName.contains(heading)) << heading;
+TEST_F(SidePanel, TheKeysOfTheStepsOpenThem) {
+  for (std::size_t i = 0; i < kSteps.size(); ++i) {
+    EXPECT_TRUE(runShortcut({int('1' + i), true, false}, workspace));
+    EXPECT_EQ(workspace.step, kSteps[i]);
+  }
 }
 
 }  // namespace

@@ -59,15 +59,15 @@ class SkinPanel : public ImGuiTest {
   Workspace workspace{small()};
 };
 
-TEST_F(SkinPanel, OnlyWhereTheViewShowsSkin) {
+// Its rows stay where the view shows something else, and a button shows what they change.
+TEST_F(SkinPanel, ShowsSkinWhereTheViewDoesNot) {
   EXPECT_TRUE(has("skin.wetness"));
-  workspace.view.meshStyle = MeshStyle::clay;
-  frames(2);
-  EXPECT_TRUE(rects.byName.empty());
-  workspace.view.meshStyle = MeshStyle::skin;
   workspace.view.content = SpaceContent::volume;
   frames(2);
-  EXPECT_TRUE(rects.byName.empty());
+  EXPECT_TRUE(has("skin.wetness"));
+  press("skin.show");
+  EXPECT_EQ(workspace.view.content, SpaceContent::mesh);
+  EXPECT_EQ(workspace.view.meshStyle, MeshStyle::skin);
 }
 
 TEST_F(SkinPanel, HasARowForEveryParameter) {

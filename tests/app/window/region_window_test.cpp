@@ -65,7 +65,7 @@ TEST_F(WindowTest, DragsTheCropBox) {
   EXPECT_GT(region().cutHigh[0], 0);
 
   // The same from the side panel.
-  d.click("foldout.Crop box");
+  d.openStep(Step::region);
   d.drag(d.point("region.j.low", 0.03f), d.point("region.j.low", 0.3f));
   EXPECT_GT(region().cutLow[1], 5);
   d.moveTo({5, 5});

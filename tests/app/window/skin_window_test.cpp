@@ -180,9 +180,10 @@ TEST_F(SkinWindowTest, ComparesHalves) {
   EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
 }
 
-// The panel comes into view, and its open headings mark what they are about.
+// Its open headings mark what they are about, and with another step the marks go.
 TEST_F(SkinWindowTest, OpensItsPanel) {
   Driver& d = *driver;
+  d.openStep(Step::skin);
   const ImVec2 lookAt = d.point("look");
   EXPECT_GT(lookAt.y, 0);
   EXPECT_LT(lookAt.y, 500) << "below the edge of the window";
@@ -192,6 +193,8 @@ TEST_F(SkinWindowTest, OpensItsPanel) {
   d.workspace().view.maximised = Pane::space;
   settle();
   d.screenshot("sonoskin_skin_panel");
+  d.openStep(Step::surface);
+  EXPECT_FALSE(d.workspace().view.skin.reach);
   EXPECT_EQ(gl::glErrorCount(), 0) << gl::lastGlError();
 }
 

@@ -72,6 +72,12 @@ class Driver {
     mouse("mousedown 1");
     mouse("mouseup 1");
   }
+  // openStep: by its row in the list of steps; its parameters are shown then.
+  void openStep(Step step) {
+    click(std::string("step.") + stepName(step));
+    ASSERT_EQ(workspace().step, step);
+    frames(2);
+  }
   void drag(ImVec2 from, ImVec2 to, int button = 1) {
     moveTo(from);
     mouse("mousedown " + std::to_string(button));

@@ -22,6 +22,7 @@ TEST_F(WindowTest, SliderAndReconstruction) {
   const Image before = d.screenshot("sonoskin_before");
   EXPECT_GT(share(before, d, "pane.axial", [](Colour c) { return c.g > 40; }), 0.01) << "the slice is blank";
 
+  d.openStep(Step::classify);
   const auto old = d.session().results().classified;
   const double oldBeta = d.session().parameters().classification.beta;
   d.drag(d.point("classification.beta", float(oldBeta / 4)), d.point("classification.beta", 0.9f));

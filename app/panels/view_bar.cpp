@@ -1,0 +1,234 @@
+// The bars over the views: what each of them shows.
+#include <imgui.h>
+
+#include <array>
+
+#include "app/panels/panels.h"
+#include "app/texts/texts.h"
+#include "app/widgets/fields_ui.h"
+#include "app/widgets/layout.h"
+#include "app/widgets/theme.h"
+#include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
+
+namespace sonoskin::ui {
+namespace {
+
+using Names = std::initializer_list<const char*>;
+
+constexpr float kMargin = 3;      // around the buttons
+constexpr float kWideView = 430;  // pixels without scale, from which all buttons have room beside the title
+
+template <class E>
+bool choose(const char* id, Names names, E& value) {
+  int index = static_cast<int>(value);
+  const bool changed = textSegments(id, names, index);
+  value = static_cast<E>(index);
+  return changed;
+}
+
+// The views are dark in every appearance: so are the bars over them.
+class OverPicture {
+ public:
+  OverPicture() {
+    ImGui::PushStyleColor(ImGuiCol_Text, colours().text);
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, colours().ground);  // of hints
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.20f, 0.21f, 0.22f, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(0.28f, 0.30f, 0.32f, 0.95f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImVec4(0.16f, 0.17f, 0.18f, 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(7 * unit(), 2 * unit()));
+    ImGui::PushFont(smallFont());
+  }
+  ~OverPicture() {
+    ImGui::PopFont();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(5);
+  }
+  OverPicture(const OverPicture&) = delete;
+  OverPicture& operator=(const OverPicture&) = delete;
+
+ private:
+  InAppearance dark_{Appearance::dark};
+};
+
+bool moreButton(const char* name) {
+  const bool pressed = ImGui::Button("⋯###more", {26 * unit(), 0});
+  noteWidget(name);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr("More of what this view shows"));
+  return pressed;
+}
+
+float moreWidth() { return 26 * unit(); }
+float gap() { return 6 * unit(); }
+
+// ---- slices
+
+constexpr Names kLayers{"Raw", "Classified", "Thinned"};
+
+void drawMarks(ViewState& view) {
+  ImGui::Checkbox(tr("Mark the surface voxels"), &view.surfaceVoxels);
+  noteWidget("view.surfaceVoxels");
+  ImGui::Checkbox(tr("Show the crop box"), &view.cropBox);
+  noteWidget("view.cropBox");
+}
+
+void drawSliceBar(ViewState& view, bool wide) {
+  if (wide) {
+    choose("view.layer", kLayers, view.layer);
+    ImGui::SameLine(0, gap());
+  }
+  if (moreButton("view.slice.more")) ImGui::OpenPopup("more");
+}
+
+void drawSliceMore(ViewState& view, bool wide) {
+  if (!wide) choose("view.layer", kLayers, view.layer);
+  drawMarks(view);
+}
+
+float sliceBarWidth(bool wide) { return (wide ? textSegmentsWidth(kLayers) + gap() : 0) + moreWidth(); }
+
+// ---- 3D
+
+constexpr Names kContents{"Volume", "Mesh"}, kStyles{"Surface", "Translucent"}, kLooks{"Clay", "Skin"},
+    kVolumes{"Raw", "Classified"};
+
+void chooseContent(Workspace& workspace) {
+  ViewState& view = workspace.view;
+  SpaceContent content = view.content;
+  if (!choose("view.content", kContents, content)) return;
+  if (content == SpaceContent::mesh && !workspace.session.results().mesh)
+    workspace.toasts.add(tr("There is no mesh yet: press Reconstruct surface."), false);
+  else
+    view.content = content;
+}
+
+void chooseStyle(ViewState& view) {
+  if (view.content == SpaceContent::volume)
+    choose("view.volumeStyle", kStyles, view.volumeStyle);
+  else
+    choose("view.meshStyle", kLooks, view.meshStyle);
+}
+
+Names stylesOf(const ViewState& view) { return view.content == SpaceContent::volume ? kStyles : kLooks; }
+
+void drawSpaceBar(Workspace& workspace, bool wide) {
+  chooseContent(workspace);
+  ImGui::SameLine(0, gap());
+  if (wide) {
+    chooseStyle(workspace.view);
+    ImGui::SameLine(0, gap());
+  }
+  if (moreButton("view.space.more")) ImGui::OpenPopup("more");
+}
+
+float spaceBarWidth(const ViewState& view, bool wide) {
+  const float style = wide ? textSegmentsWidth(stylesOf(view)) + gap() : 0;
+  return textSegmentsWidth(kContents) + gap() + style + moreWidth();
+}
+
+void drawLevel(ViewState& view, const Results& results) {
+  float level = static_cast<float>(shownLevel(view, results));
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderFloat("##level", &level, 0.01f, 0.99f, view.volumeLevel ? "%.2f" : "%.2f (found)",
+                         ImGuiSliderFlags_AlwaysClamp))
+    view.volumeLevel = double(level);
+  noteWidget("view.level");
+  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+  ImGui::SetTooltip("%s",
+                    tr("Grey value at which the rays stop.\nRight click: the value found from the volume."));
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) view.volumeLevel.reset();
+}
+
+void drawVolumeMore(ViewState& view, const Results& results) {
+  if (beginFields("volume")) {
+    beginRow(tr("Shown"));
+    choose("view.volumeLayer", kVolumes, view.volumeLayer);
+    beginRow(tr("Level"));
+    drawLevel(view, results);
+    endFields();
+  }
+  // The wall of the uterus lies between probe and face: without this it hides what one wants to see.
+  ImGui::Checkbox(tr("Only around the found surface"), &view.crop);
+  noteWidget("view.crop");
+}
+
+void drawMeshMore(Workspace& workspace) {
+  ImGui::Checkbox(tr("Mark what was not measured"), &workspace.view.unmeasured);
+  noteWidget("view.unmeasured");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", tr("Greyed: closed holes, and the border, where points grow sparse."));
+  const Command& parts = command("surface.parts");
+  const DisabledIf none(!isEnabled(parts, workspace));
+  bool shown = workspace.view.parts;
+  if (ImGui::Checkbox(tr(parts.title), &shown)) parts.run(workspace);
+  noteWidget(parts.id);
+}
+
+void drawSpaceMore(Workspace& workspace, bool wide) {
+  if (!wide) chooseStyle(workspace.view);
+  if (workspace.view.content == SpaceContent::volume)
+    drawVolumeMore(workspace.view, workspace.session.results());
+  else
+    drawMeshMore(workspace);
+}
+
+// ---- both
+
+void drawButtons(Workspace& workspace, const ShownPane& place, bool wide) {
+  const OverPicture dark;
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  // What a long title says below the bar is not to be seen through it.
+  ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
+                                            IM_COL32(6, 7, 9, 235), 4 * unit());
+  ImGui::SetCursorPos({kMargin * unit(), kMargin * unit()});
+  if (place.pane == Pane::space)
+    drawSpaceBar(workspace, wide);
+  else
+    drawSliceBar(workspace.view, wide);
+}
+
+void drawMore(Workspace& workspace, const ShownPane& place, bool wide) {
+  const float width = 290 * unit();
+  ImGui::SetNextWindowPos({place.corner.x + place.size.x - 8 * unit(), place.corner.y + 34 * unit()},
+                          ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowSize({width, 0});
+  if (!ImGui::BeginPopup("more")) return;
+  if (place.pane == Pane::space)
+    drawSpaceMore(workspace, wide);
+  else
+    drawSliceMore(workspace.view, wide);
+  ImGui::EndPopup();
+}
+
+ImVec2 barSize(const ViewState& view, const ShownPane& place, bool wide) {
+  const OverPicture dark;
+  const float width = place.pane == Pane::space ? spaceBarWidth(view, wide) : sliceBarWidth(wide);
+  return {width + 2 * kMargin * unit(), ImGui::GetFrameHeight() + 2 * kMargin * unit()};
+}
+
+// A window of its own over the view: what is below does not see the mouse.
+void drawBar(Workspace& workspace, const ShownPane& place) {
+  const bool wide = place.size.x >= kWideView * unit();
+  const ImVec2 size = barSize(workspace.view, place, wide);
+  ImGui::SetCursorScreenPos(
+      {place.corner.x + place.size.x - size.x - 4 * unit(), place.corner.y + 5 * unit()});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushID(int(place.pane));
+  ImGui::BeginChild(
+      "bar", size, false,
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  drawButtons(workspace, place, wide);
+  drawMore(workspace, place, wide);
+  ImGui::EndChild();
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void drawViewBars(Workspace& workspace, std::span<const ShownPane> places) {
+  if (!workspace.session.hasScan()) return;
+  for (const ShownPane& place : places) drawBar(workspace, place);
+}
+
+}  // namespace sonoskin::ui

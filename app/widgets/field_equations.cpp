@@ -1,0 +1,48 @@
+#include "app/widgets/field_equations.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sonoskin::ui {
+namespace {
+
+struct Equation {
+  std::string_view id, text;
+};
+
+// [theory/classification.md, 3.1 to 3.4; theory/reconstruction.md, 2.2 to 2.8]
+constexpr std::array kEquations{
+    Equation{"classification.alpha",
+             "E(u) = ½ ∑ α a u² + β′ |∇u × g|² + γ h (u − u_ind)²\nα: u goes to 0 where a, the distance to "
+             "v_iso, is large"},
+    Equation{
+        "classification.beta",
+        "E(u) = ½ ∑ α a u² + β′ |∇u × g|² + γ h (u − u_ind)²\nβ′ = β l² γ h_ref: no change of u along the "
+        "surface"},
+    Equation{"classification.gamma",
+             "E(u) = ½ ∑ α a u² + β′ |∇u × g|² + γ h (u − u_ind)²\nγ: u goes to u_ind where h, the edge, is "
+             "strong"},
+    Equation{"classification.isoValue",
+             "a = (w (v − v_iso)² + (1 − w) (ṽ − v_iso)² + nf²) / |∇ṽ|²\nthe squared distance, in voxels, to "
+             "the iso-surface"},
+    Equation{"classification.isoShare", "v_iso = v_fluid + s (v_edge − v_fluid)"},
+    Equation{"classification.rawShare", "a = (w (v − v_iso)² + (1 − w) (ṽ − v_iso)² + nf²) / |∇ṽ|²"},
+    Equation{"classification.noiseFloor", "a = (w (v − v_iso)² + (1 − w) (ṽ − v_iso)² + nf²) / |∇ṽ|²"},
+    Equation{"classification.farthest", "a ≤ a_max"},
+    Equation{"classification.gradientFloor", "h = δ + (1 − δ) min(1, |∇ṽ| / g_ref)"},
+    Equation{"classification.gradientReference", "h = δ + (1 − δ) min(1, |∇ṽ| / g_ref)"},
+    Equation{"classification.target", "E(u) = ½ ∑ … + γ h (u − u_ind)²"},
+    Equation{"classification.lowPass", "ṽ = G_σ ∗ v"},
+    Equation{"classification.tangentialLength", "β′ = β l² γ h_ref"},
+    Equation{"classification.directionScale", "g = ∇ṽ / √(|∇ṽ|² + κ²)"},
+    Equation{"reconstruction.smoothness",
+             "E_SA(σ) = E_local² + (T_sa L / σ)²\nits least σ is the support of a centre"}};
+
+}  // namespace
+
+std::string_view equationOf(std::string_view id) {
+  const auto found = std::ranges::find(kEquations, id, &Equation::id);
+  return found == kEquations.end() ? std::string_view() : found->text;
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,23 @@
+#include "app/widgets/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace sonoskin::ui {
+
+std::string grouped(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string millimetres(double value) {
+  return fmt::format("{:.{}f}", value, std::abs(value) < 1 ? 3 : std::abs(value) < 10 ? 2 : 1);
+}
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "app/workspace/view_state.h"
+
+namespace sonoskin {
+
+// ShownPane: a view that was drawn in this frame, and where, in pixels of the screen.
+struct ShownPane {
+  Pane pane;
+  glm::vec2 corner, size;
+};
+
+}  // namespace sonoskin
