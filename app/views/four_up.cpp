@@ -69,7 +69,8 @@ void copyVolumes(GpuScans& scans, const Workspace& w) {
     const bool marks = layer == SliceLayer::thinned && view.surfaceVoxels;
     if (!volume || !(space || marks || view.layer == layer)) return;
     to.set(volume);
-    if (!to.prepare(kCopySeconds, space)) scans.ready = false;
+    // What the driver cannot hold is told by the view that shows it.
+    failureOf([&] { scans.ready &= to.prepare(kCopySeconds, space); });
   };
   scans.ready = true;
   const bool isRaw = view.volumeLayer == VolumeLayer::raw || !results.classified;

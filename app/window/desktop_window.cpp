@@ -30,6 +30,18 @@ std::string& lastGlfwError() {
               Error::Kind::system);
 }
 
+// The size, or what of it the screen has room for: no window manager may be there to see to that.
+glm::ivec2 fitting(glm::ivec2 size) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return size;
+  glm::ivec2 place, room;
+  glm::vec2 scale;
+  glfwGetMonitorWorkarea(monitor, &place.x, &place.y, &room.x, &room.y);
+  glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+  if (glm::any(glm::lessThanEqual(room, glm::ivec2(0))) || !(scale.x > 0 && scale.y > 0)) return size;
+  return glm::min(size, glm::ivec2(glm::vec2(room) / scale));
+}
+
 }  // namespace
 
 DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size, const WindowLook& look)
@@ -40,6 +52,7 @@ DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size, const Wi
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  size = fitting(size);
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window_) giveUp("OpenGL 4.5");
   glfwMakeContextCurrent(window_);

@@ -159,6 +159,20 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   EXPECT_FALSE(d.workspace().files.purpose);
 }
 
+// The size of a larger screen was remembered.
+TEST_F(WindowTest, IsNotLargerThanTheScreen) {
+  driver.reset();  // writes the settings
+  Settings settings = readSettings(settingsFile());
+  settings.width = settings.height = 4000;
+  writeSettings(settingsFile(), settings);
+  driver = std::make_unique<Driver>(smallPhantom());
+  driver->frames(3);
+  const ImVec2 size = ImGui::GetMainViewport()->Size;
+  EXPECT_LE(size.x, 1600);
+  EXPECT_LE(size.y, 1000);
+  EXPECT_GE(size.y, 900);
+}
+
 int messagesWith(const Driver& d, const std::string& words) {
   return int(std::ranges::count_if(d.workspace().toasts.list, [&](const ui::Toasts::Toast& toast) {
     return toast.text.find(words) != std::string::npos;
