@@ -5,6 +5,7 @@
 #include <CLI/Error.hpp>
 
 #include "app/cli/parameter_text.h"
+#include "app/document/session_file.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/pipeline/presets.h"
@@ -31,7 +32,9 @@ void ParameterOptions::addPreset(CLI::App& command) {
 }
 
 void ParameterOptions::addRecipe(CLI::App& command) {
-  command.add_option("--recipe", recipe_, "JSON file of parameters; single options go on top of it")
+  command
+      .add_option("--recipe", recipe_,
+                  "JSON file of parameters, or a session; single options go on top of it")
       ->type_name("FILE");
 }
 
@@ -74,7 +77,7 @@ Parameters ParameterOptions::resolve() const {
 Parameters ParameterOptions::resolve(RecipeInput& input) const {
   Parameters parameters;
   if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
-  if (!recipe_.empty()) input = readRecipe(readText(recipe_, kMostRecipeBytes), parameters);
+  if (!recipe_.empty()) input = readRecipe(recipeIn(readText(recipe_, kMostSessionBytes)), parameters);
   if (!look_.empty()) applySkinPreset(findSkinPreset(look_), parameters.skin, parameters.light);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;

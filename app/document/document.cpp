@@ -33,7 +33,8 @@ void Document::commit() {
   erased.endStroke();
   const Version& last = history.current();
   const bool same = parametersKey(parameters) == parametersKey(last.parameters);
-  if (!same || erased.strokes() != last.strokes) history.push({parameters, erased.strokes()});
+  if (!same || erased.strokes() != last.strokes)
+    history.push({parameters, erased.strokes(), erased.voxels()});
 }
 
 void Document::undo() {
@@ -47,6 +48,12 @@ void Document::redo() {
   showVersion(*this);
 }
 
+void Document::goTo(std::size_t version) {
+  commit();
+  history.goTo(version);
+  showVersion(*this);
+}
+
 void Document::adopt(const Opened& opened, const Scan& before) {
   const Scan& scan = opened.scan;
   const bool resized = before.volume && scan.volume->geometry.dims != before.volume->geometry.dims;
@@ -55,11 +62,12 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   if (other || !hasLandmarks(parameters.landmarks)) parameters.landmarks = opened.landmarks;
   if (opened.isAnother && before.volume) parameters.scan.spacing = {};
   if (resized) parameters.region = {};
+  if (opened.parameters) parameters = drawable(*opened.parameters, {});
   const bool changed = !(parametersKey(parameters) == past);
-  const bool anew = resized || changed || erased.hasStrokes() || scan.erased;
+  const bool anew = opened.parameters || resized || changed || erased.hasStrokes() || scan.erased;
   erased.reset(scan.volume->geometry);
   if (scan.erased) erased.become(*scan.erased);
-  if (anew) history = History<Version>({parameters, erased.strokes()});
+  if (anew) history = History<Version>({parameters, erased.strokes(), erased.voxels()});
   name = opened.name;
   givesSpacing = opened.givesSpacing;
   reading = opened.reading;
@@ -69,6 +77,21 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   parameters.scan.time = reading.time;
   parameters.scan.mirror = reading.mirror;
   phantom = opened.phantom;
+}
+
+Key contentKey(const Parameters& given) {
+  Parameters parameters = given;
+  const ScanOptions reading{};
+  parameters.phantom = {};
+  parameters.raw = {};
+  parameters.scan.volume = reading.volume;
+  parameters.scan.time = reading.time;
+  parameters.scan.regionOnly = reading.regionOnly;
+  parameters.scan.half = reading.half;
+  parameters.scan.cutLow = reading.cutLow;
+  parameters.scan.cutHigh = reading.cutHigh;
+  parameters.scan.voxel = reading.voxel;
+  return parametersKey(parameters);
 }
 
 Parameters recipeParameters(const Document& document) {

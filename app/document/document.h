@@ -23,12 +23,14 @@ struct Opened {
       reading{};  // volume, time, voxel, mirror, regionOnly, half, cutLow, cutHigh: which it is, and how it was read
   RawOptions raw{};                // what its file was told to hold
   std::filesystem::path source{};  // of a scan from a file, from which another time step may be asked for
+  std::optional<Parameters> parameters{};  // those that it brings, as a session does
 };
 
 // Version: what undo goes back to.
 struct Version {
   Parameters parameters;
   std::size_t strokes = 0;  // of the eraser
+  std::size_t erased = 0;   // voxels
 };
 
 // Document: what belongs to the baby, whichever moment of it is looked at (Frame): where it comes from, the parameters, among
@@ -42,6 +44,8 @@ struct Document {
   void commit();
   void undo();
   void redo();
+  // goTo: to a version of the history; what was changed since the last step becomes one before.
+  void goTo(std::size_t version);
   // adopt: another volume in the place of the present one, or the same with another spacing. A crop box and what was erased
   // belong to a volume's dimensions, landmarks to a face: where these are others they begin anew, and with them what undo
   // goes back to.
@@ -58,6 +62,10 @@ struct Document {
   ErasedParts erased;
   History<Version> history;
 };
+
+// contentKey: of what a person chose for a document, all parameters but those that name a scan, a time step or a way to read
+// it. What is erased is not part of it.
+Key contentKey(const Parameters& parameters);
 
 // recipeParameters: the parameters, with those that the scan at hand was simulated and read with.
 Parameters recipeParameters(const Document& document);

@@ -13,6 +13,10 @@ class History {
   explicit History(T first) : versions_{std::move(first)} {}
 
   const T& current() const { return versions_[position_]; }
+  // The versions from the oldest that is kept, and which of them is the current one.
+  std::size_t size() const { return versions_.size(); }
+  std::size_t position() const { return position_; }
+  const T& at(std::size_t n) const { return versions_[n]; }
   bool canUndo() const { return position_ > 0; }
   bool canRedo() const { return position_ + 1 < versions_.size(); }
 
@@ -30,6 +34,9 @@ class History {
   void redo() {
     if (canRedo()) ++position_;
   }
+
+  // goTo: any of the versions; the last one where there are not so many.
+  void goTo(std::size_t n) { position_ = n < versions_.size() ? n : versions_.size() - 1; }
 
  private:
   static constexpr std::size_t kMost = 500;

@@ -21,6 +21,8 @@ void Session::adopt(Opened opened) {
   frame_ = {};
   frame_.scan = std::move(opened.scan);
   steps_.clear();
+  if (opened.isAnother) saved_ = {contentKey(document_.parameters), document_.erased.key(), {}};
+  surfaceOwed_ = false;
   asked_ = 0;
   turned_ = document_.reading.mirror;
   warned_.clear();
@@ -89,6 +91,10 @@ void Session::undo() { change(&Document::undo); }
 
 void Session::redo() { change(&Document::redo); }
 
+void Session::goToStep(std::size_t step) {
+  change([step](Document& document) { document.goTo(step); });
+}
+
 // ---- erasing
 
 void Session::erase(const Brush& brush) {
@@ -142,8 +148,8 @@ double Session::secondsOf(bool (*which)(std::string_view stage)) const {
 void Session::submit(Goal goal) {
   if (!hasScan()) return;
   delayed_.reset();
+  stopping_.reset();
   stopped_.reset();
-  stops_ = false;
   failed_ = false;
   answerOwed_ = goal != Goal::mesh;
   request_ = goal;
@@ -157,16 +163,21 @@ void Session::submit(Goal goal) {
   runner_.submit(std::move(request));
 }
 
-void Session::reconstruct() { submit(Goal::mesh); }
+void Session::reconstruct() {
+  ++longJobs_;
+  submit(Goal::mesh);
+}
 
+// What waits behind a request begins before it or with it.
 void Session::cancel() {
-  delayed_.reset();
   if (opener_.status().busy) {
     opener_.cancel();
-  } else {
-    stops_ = request_.has_value();
-    runner_.cancel();
+    return stayWithScan();
   }
+  if (!request_) return;
+  stopping_ = std::min(*request_, delayed_.value_or(*request_));
+  delayed_.reset();
+  runner_.cancel();
 }
 
 const FaceFit* Session::face() const {
@@ -178,8 +189,14 @@ void Session::takeResults() {
   std::optional<Results> fresh = runner_.takeResults();
   if (!fresh) return;
   if (fresh->classified) answerOwed_ = false;  // else slices alone: the coarse volume follows at once
-  if (fresh->mesh && request_ == Goal::mesh) ++reconstructions_;
+  const bool askedFor = fresh->mesh && request_ == Goal::mesh, reopened = askedFor && surfaceOwed_;
   takeIn(frame_, std::move(*fresh), requested_, document_.parameters.face);
+  if (reopened) {
+    surfaceOwed_ = false;
+    saved_.mesh = frame_.made.key();
+  } else if (askedFor) {
+    ++reconstructions_;
+  }
   tellWarnings(frame_.results.warnings, request_ == Goal::mesh);
   ++revision_;
 }
@@ -197,15 +214,20 @@ void Session::tellWarnings(const std::vector<std::string>& warnings, bool again)
 void Session::finishRequest() {
   const Goal goal = *std::exchange(request_, std::nullopt);
   answerOwed_ = false;
-  const Runner::Status status = runner_.status();
-  const bool ends = std::exchange(stops_, false) || status.cancelled;
-  if (ends) stopped_ = goal;
-  if (!status.error.empty()) {
+  const std::string error = runner_.status().error;
+  if (!error.empty()) {
     failed_ = true;
-    report(Message::Kind::failure, status.error);
-  } else if (!ends && !delayed_) {
+    stopping_.reset();
+    report(Message::Kind::failure, error);
+  } else if (stopping_) {
+    stopped_ = std::exchange(stopping_, std::nullopt);
+  } else if (!delayed_) {
     if (goal == Goal::classified) submit(Goal::points);
-    if (goal == Goal::points && mayFollow() && !meshIsCurrent()) submit(Goal::surface);
+    if (goal != Goal::points) return;
+    if (surfaceOwed_)
+      submit(Goal::mesh);
+    else if (mayFollow() && !meshIsCurrent())
+      submit(Goal::surface);
   }
 }
 

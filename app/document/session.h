@@ -11,6 +11,7 @@
 #include "app/document/document.h"
 #include "app/document/document_state.h"
 #include "app/document/frame.h"
+#include "app/document/session_file.h"
 #include "app/document/step_range.h"
 #include "app/document/worker.h"
 #include "core/io/image.h"
@@ -36,6 +37,19 @@ struct VolumeChoice {
   std::vector<VolumeEntry> volumes;
 };
 
+// SavedSession: a session file, and whether it is what was left of a program that ended unexpectedly.
+struct SavedSession {
+  std::filesystem::path path;
+  SessionFile file{};
+  bool recovers = false;
+};
+
+// LostVolume: a session whose volume the person is asked for.
+struct LostVolume {
+  SavedSession saved;
+  std::string why;  // a clause: "The session's volume is not there: /data/scan.nrrd"
+};
+
 // Activity: what goes on in the background.
 struct Activity {
   bool busy = false;
@@ -59,6 +73,16 @@ class Session {
   // takeChoice: what openFile() found where the person has to choose; openVolume() opens one of them, counted from 1.
   std::optional<VolumeChoice> takeChoice();
   void openVolume(const VolumeChoice& choice, int volume);
+  // source: the file of the scan; empty where it is simulated.
+  const std::filesystem::path& source() const { return document_.source; }
+  // openSession: a document as it was saved; its surface is made again. takeLostVolume: where its volume is not found, or is
+  // another one; the second openSession() goes on with the one that the person has chosen. takeReopened: the session, once,
+  // when it is the document.
+  //   recovers  it is what a program left that ended unexpectedly: not saved
+  void openSession(const std::filesystem::path& path, bool recovers = false);
+  void openSession(const LostVolume& lost, const std::filesystem::path& volume);
+  std::optional<LostVolume> takeLostVolume();
+  std::optional<SavedSession> takeReopened();
   // givesSpacing: whether the scan's own file does; otherwise scan.spacing is its spacing.
   bool givesSpacing() const { return document_.givesSpacing; }
   bool hasScan() const { return frame_.scan.volume != nullptr; }
@@ -80,6 +104,9 @@ class Session {
   bool canRedo() const { return document_.history.canRedo(); }
   void undo();
   void redo();
+  // history: every step, the first of which is the document as it was opened; goToStep: to any of them.
+  const History<Version>& history() const { return document_.history; }
+  void goToStep(std::size_t step);
   void loadRecipe(const std::filesystem::path& path);
 
   // Erasing. erase() is what the eraser does while it moves; commitEdit() when it is let go makes the step that
@@ -92,9 +119,11 @@ class Session {
   void loadErased(const std::filesystem::path& path);
   void saveErased(const std::filesystem::path& path);
 
-  // state: see DocumentState. resume() goes on where the person stopped.
+  // state: see DocumentState. cancel() ends what goes on: the document stays what it was, or it says that it was stopped, and
+  // resume() goes on.
   DocumentState state() const;
   void resume();
+  void cancel();
 
   // Results. Members stay until something newer replaces them; a mesh may be older than the parameters.
   const Results& results() const { return frame_.results; }
@@ -118,7 +147,6 @@ class Session {
   double secondsOf(bool (*which)(std::string_view stage)) const;
   double meshArea() const { return frame_.meshArea; }  // mm^2
   void reconstruct();
-  void cancel();
 
   // Saving, with the recipe beside it ("face.ply" -> "face.recipe.json"): the one that makes the same surface again, even
   // where the parameters have changed since it was made. A surface that is older than them, or not final, is saved with a
@@ -140,8 +168,18 @@ class Session {
   //   errors  Error: there is none
   void saveScan(const std::filesystem::path& path);
   void saveClassified(const std::filesystem::path& path);
-  // hasUnsavedWork: whether a surface that was asked for, or what was erased, would be lost with the document.
+  // capture: all that is open, as it is now; what it gives may be called in the background. saveSession: the same as a file;
+  // `saved` is called on this thread when it is written.
+  //   views   see SessionFile
+  //   errors  Error: no scan is open; of what it gives: what is erased has too many runs for a recipe
+  std::function<SessionFile()> capture(const std::string& views);
+  void saveSession(const std::filesystem::path& path, const std::string& views,
+                   std::function<void()> saved = {});
+  // hasUnsavedWork: whether parameters, what was erased, or a surface would be lost with the document.
   bool hasUnsavedWork() const;
+  // workKey: of all that a session file holds of the document. longJobs: grows whenever work begins that may take minutes.
+  Key workKey() const;
+  std::uint64_t longJobs() const { return longJobs_; }
   // proposedName: a neutral name with an ending; the scan's own may be a patient's.
   std::string proposedName(const std::string& ending) const;
 
@@ -157,8 +195,17 @@ class Session {
   std::uint64_t reconstructions() const { return reconstructions_; }
 
  private:
+  // SavedState: what of the document was saved last, or came with it.
+  struct SavedState {
+    Key content, erased, mesh;
+  };
+  SavedState presentState() const;
+  // savedMesh: what is to be done when the surface is written, with a recipe of these parameters.
+  std::function<void()> savedMesh(const Parameters& written);
   void adopt(Opened opened);
+  void adopt(SavedSession saved, Opened opened, const std::string& lost);
   void openFile(const std::filesystem::path& path, const ScanOptions& options);
+  void stayWithScan();
   void retime();
   void turnOver();
   void adoptStep(Scan scan);
@@ -187,21 +234,23 @@ class Session {
 
   Document document_;
   Frame frame_;
-  Key savedMesh_, savedErased_;  // of what was saved last
+  SavedState saved_;
   std::optional<VolumeChoice> choice_;
+  std::optional<LostVolume> lost_;
+  std::optional<SavedSession> reopened_;
+  bool surfaceOwed_ = false;                  // a session had one, which is to be made again
   int asked_ = 0;                             // the time step that is being read; 0: none
   MirroredAxis turned_ = MirroredAxis::none;  // as asked for last
   std::deque<Scan> steps_;                    // other time steps of the recording, the last one seen first
   std::optional<glm::dvec3> lookedAt_;
   bool follows_ = true;
-  std::optional<Goal> request_;  // what the runner works on
-  MeshOrigin requested_;         // from what
-  std::optional<Goal> stopped_;  // what the person ended
-  bool failed_ = false;          // whether the last request did
-  bool stops_ = false;           // the person ended it when it had just been done: what follows is not begun
-  bool answerOwed_ = false;      // the runner has not delivered anything for its request yet
-  std::optional<Goal> delayed_;  // what to submit when it has
-  std::uint64_t opened_ = 0, revision_ = 0, reconstructions_ = 0;
+  std::optional<Goal> request_;             // what the runner works on
+  MeshOrigin requested_;                    // from what
+  std::optional<Goal> stopping_, stopped_;  // what the person wants to end, and has ended
+  bool failed_ = false;                     // whether the last request did
+  bool answerOwed_ = false;                 // the runner has not delivered anything for its request yet
+  std::optional<Goal> delayed_;             // what to submit when it has
+  std::uint64_t opened_ = 0, revision_ = 0, reconstructions_ = 0, longJobs_ = 0;
   std::vector<Message> messages_;
   std::vector<std::string> warned_;  // what was said of this document
   Worker opener_, saver_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/input.h"
+#include "app/document/opening.h"
 #include "app/document/session.h"
 #include "core/base/error.h"
 #include "core/base/log.h"
@@ -16,10 +17,8 @@
 #include "core/io/volume_reader.h"
 #include "core/io/volume_writer.h"
 #include "core/mesh/print/print_solid.h"
-#include "core/phantom/phantom.h"
 #include "core/pipeline/phantom_landmarks.h"
 #include "core/pipeline/recipe.h"
-#include "core/volume/mirror_scan.h"
 
 namespace sonoskin {
 namespace fs = std::filesystem;
@@ -32,21 +31,6 @@ void Session::open(const std::string& label, Opened opened,
   opener_.replace({label, [made, make = std::move(make)](const Progress& progress) { make(*made, progress); },
                    [this, made] { adopt(std::move(*made)); }});
 }
-
-namespace {
-
-// What a scan is from its file to its place in a document.
-void fit(Opened& opened, const ScanOptions& options) {
-  opened.givesSpacing = opened.scan.spacingKnown;
-  if (!opened.givesSpacing) setSpacing(opened.scan, options.spacing);
-  warnOfSpacing(opened.scan);
-  noteTimeSteps(opened.scan);
-  fitIntoMemory(opened.scan, options);
-  mirrorScan(opened.scan, options.mirror);
-  opened.reading = options;
-}
-
-}  // namespace
 
 // A spacing that was given before any volume was is for the first one; what was typed for one volume is not for the next,
 // nor is the time step.
@@ -78,8 +62,7 @@ void Session::openFile(const fs::path& path, const ScanOptions& options) {
     if (options.volume == 0)
       choice->volumes = listVolumes(path, readOptions(options, opened->raw), progress.cancelOnly());
     if (choice->volumes.size() > 1) return;
-    opened->scan = readScan(path, readOptions(options, opened->raw), progress);
-    fit(*opened, options);
+    readVolumeTo(*opened, options, progress);
   };
   opener_.replace({"Opening " + opened->name, read, [this, opened, choice] {
                      if (opened->scan.volume)
@@ -96,10 +79,7 @@ void Session::openPhantom() {
   opened.phantom = document_.parameters.phantom;
   open("Simulating the phantom", std::move(opened),
        [options = document_.parameters.scan](Opened& made, const Progress& progress) {
-         made.scan = makePhantomScan(*made.phantom, progress);
-         fitIntoMemory(made.scan, options);
-         mirrorScan(made.scan, options.mirror);
-         made.reading = options;
+         simulateTo(made, options, progress);
        });
 }
 
@@ -159,7 +139,7 @@ void Session::saveErased(const fs::path& path) {
       [path, mask = document_.erased.snapshot(), beam = frame_.scan.beam](const Progress& progress) {
         writeVolume(path, *mask, beam, progress);
       },
-      [this, key = document_.erased.key()] { savedErased_ = key; });
+      [this, key = document_.erased.key()] { saved_.erased = key; });
 }
 
 // ---- saving
@@ -183,13 +163,6 @@ void Session::saveAlone(const fs::path& path, std::function<void(const Progress&
          if (saved) saved();
          report(Message::Kind::note, "Saved " + path.string());
        }});
-}
-
-bool Session::hasUnsavedWork() const {
-  const bool hasSurface = frame_.results.mesh && reconstructions_ > 0;
-  const ErasedParts& erased = document_.erased;
-  return (hasSurface && !(frame_.made.key() == savedMesh_)) ||
-         (erased.voxels() > 0 && !(erased.key() == savedErased_));
 }
 
 void Session::save(const fs::path& path, const std::string& recipe,
@@ -234,12 +207,13 @@ void Session::saveMesh(const fs::path& path) {
   save(
       path, recipeOfMesh(frame_.made.parameters),
       [path, mesh = frame_.results.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
-      [this, key = frame_.made.key()] { savedMesh_ = key; });
+      savedMesh(frame_.made.parameters));
 }
 
 void Session::savePrint(const fs::path& path) {
   require(frame_.results.mesh != nullptr, "There is no surface to print yet; reconstruct it first.");
   requireFormat(FileKind::printedMesh, path);
+  ++longJobs_;
   warnOfMesh();
   Parameters parameters = frame_.made.parameters;
   parameters.print = document_.parameters.print;
@@ -261,9 +235,12 @@ Parameters Session::shownParameters() const {
 
 void Session::saveSkin(const fs::path& path, std::function<TexturedMesh()> make) {
   warnOfMesh();
-  save(path, recipeOfMesh(shownParameters()), [path, make = std::move(make)](const Progress& progress) {
-    writeTexturedMesh(path, make(), progress.part(0.5, 1));
-  });
+  save(
+      path, recipeOfMesh(shownParameters()),
+      [path, make = std::move(make)](const Progress& progress) {
+        writeTexturedMesh(path, make(), progress.part(0.5, 1));
+      },
+      savedMesh(shownParameters()));
 }
 
 void Session::savePicture(const fs::path& path, std::function<Image()> make, bool showsMesh) {
@@ -289,9 +266,12 @@ std::string Session::recipeNow() {
 }
 
 void Session::saveRecipe(const fs::path& path) {
-  saveAlone(path, [path, recipe = recipeNow()](const Progress&) {
-    writeBytes(path, recipe.data(), recipe.size());
-  });
+  saveAlone(
+      path, [path, recipe = recipeNow()](const Progress&) { writeBytes(path, recipe.data(), recipe.size()); },
+      [this, now = presentState()] {
+        saved_.content = now.content;
+        saved_.erased = now.erased;
+      });
 }
 
 }  // namespace sonoskin

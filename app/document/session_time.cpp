@@ -79,6 +79,21 @@ void Session::retime() {
                    [this, scan] { adoptStep(std::move(*scan)); }});
 }
 
+// A scan that is not read after all leaves time, axes and spacing as those of the scan that stays.
+void Session::stayWithScan() {
+  asked_ = 0;
+  turned_ = document_.reading.mirror;
+  if (!hasScan() || document_.source.empty()) return;
+  Parameters parameters = document_.parameters;
+  parameters.scan.time = frame_.scan.time;
+  parameters.scan.mirror = turned_;
+  const Scan& scan = frame_.scan;
+  const glm::dvec3& mm = scan.volume->geometry.spacing;
+  if (!document_.givesSpacing)
+    parameters.scan.spacing = scan.spacingKnown ? std::array{mm.x, mm.y, mm.z} : std::array<double, 3>{};
+  document_.change(parameters);
+}
+
 // Another axis that is turned over, or none, makes another scan of the same voxels: its landmarks begin anew.
 void Session::turnOver() {
   const MirroredAxis mirror = document_.parameters.scan.mirror;
@@ -112,6 +127,7 @@ void Session::adoptStep(Scan scan) {
 void Session::saveSequence(const fs::path& path, StepRange steps) {
   require(hasScan() && !document_.source.empty(), "There is no recording to save surfaces of; open one.");
   requireFormat(FileKind::writtenMesh, path);
+  ++longJobs_;
   Parameters parameters = recipeParameters(document_);
   parameters.print.form = PrintForm::none;
   ScanOptions options = document_.reading;

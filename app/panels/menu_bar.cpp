@@ -8,6 +8,7 @@
 #include "app/widgets/open_lists.h"
 #include "app/widgets/widget_rects.h"
 #include "app/workspace/commands.h"
+#include "app/workspace/session_actions.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -18,13 +19,12 @@ void drawRecent(Workspace& workspace) {
   for (const auto& file : workspace.settings.recent) {
     if (ImGui::MenuItem(file.c_str())) chosen = file;
   }
-  if (!chosen.empty()) workspace.open(chosen);
+  if (!chosen.empty()) openAny(workspace, chosen);
   if (!workspace.settings.recent.empty()) ImGui::Separator();
-  if (ImGui::MenuItem("Forget these", nullptr, false, !workspace.settings.recent.empty()))
-    workspace.settings.recent.clear();
-  if (ImGui::MenuItem("Remember files", nullptr, &workspace.settings.remembersFiles) &&
-      !workspace.settings.remembersFiles)
-    workspace.settings.recent.clear();
+  const bool forget = ImGui::MenuItem("Forget these", nullptr, false, !workspace.settings.recent.empty());
+  const bool other = ImGui::MenuItem("Remember files", nullptr, &workspace.settings.remembersFiles);
+  if (forget || !workspace.settings.remembersFiles) workspace.settings.recent.clear();
+  if (forget || other) workspace.keepSettings();
   ImGui::EndMenu();
 }
 

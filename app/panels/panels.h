@@ -45,6 +45,9 @@ void drawStatusBar(Workspace& workspace);
 void drawKeys(Workspace& workspace);
 void drawAbout(Workspace& workspace);
 void drawQuestion(Workspace& workspace);      // before unsaved work is lost
+void drawLostVolume(Workspace& workspace);    // where a session's volume is
+void drawDropped(Workspace& workspace);       // which of several files is opened
+void drawRecovery(Workspace& workspace);      // whether to restore what was open when the program ended
 void drawRawQuestion(Workspace& workspace);   // what a file without a header holds
 void drawVolumeChoice(Workspace& workspace);  // which of several volumes in a file is opened
 void drawLog(Workspace& workspace);           // all messages, at the lower right

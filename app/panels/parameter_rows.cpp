@@ -2,11 +2,18 @@
 
 #include <cctype>
 
+#include "app/texts/texts.h"
 #include "core/pipeline/parameter_use.h"
 
 namespace sonoskin::ui {
 
+// Another axis that is turned over makes another scan, which has no landmarks and nothing erased.
 void applyEdit(Workspace& workspace, const Parameters& parameters, FieldsEdit edit) {
+  if (parameters.scan.mirror != workspace.session.parameters().scan.mirror && workspace.isModified())
+    return workspace.confirmLoss(tr("Turning an axis over"), [&workspace, parameters] {
+      workspace.session.edit(parameters);
+      workspace.session.commitEdit();
+    });
   if (edit.changed) workspace.session.edit(parameters);
   if (edit.finished) workspace.session.commitEdit();
 }

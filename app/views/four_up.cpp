@@ -56,6 +56,7 @@ void letGoOfClosed(FourUp& views, const Results& results) {
   if (results.mesh) return;
   views.space.mesh.set(nullptr);
   views.space.skin.letGo();
+  views.space.parts = {};
 }
 
 constexpr double kCopySeconds = 0.012;  // a frame

@@ -11,7 +11,10 @@
 namespace sonoskin::ui {
 
 enum class FilePurpose {
-  openVolume,
+  open,
+  findVolume,
+  openSession,
+  saveSession,
   openErased,
   saveErased,
   openRecipe,
@@ -68,6 +71,10 @@ struct FileDialog {
   void ask(FilePurpose purpose, const std::filesystem::path& folder, const std::string& name);
   void enter(const std::filesystem::path& folder);
 };
+
+// replacedFiles: what is there already of all that would be written for a purpose: the file, the recipe, material and pictures
+// beside it, the surfaces of a sequence.
+std::vector<std::filesystem::path> replacedFiles(FilePurpose purpose, const std::filesystem::path& path);
 
 // accept: the file of the name that stands in the dialog; or nothing, and what is wrong with it as a complaint. A name
 // without an ending gets the usual one; one with another format's is refused.

@@ -18,8 +18,14 @@ std::string lower(std::string text) {
 
 FilePurposeText purposeText(FilePurpose purpose) {
   switch (purpose) {
-    case FilePurpose::openVolume:
-      return {"Open volume", "Open", false, FileKind::readVolume};
+    case FilePurpose::open:
+      return {"Open volume or session", "Open", false, FileKind::opened};
+    case FilePurpose::findVolume:
+      return {"Choose the session's volume", "Open", false, FileKind::readVolume};
+    case FilePurpose::openSession:
+      return {"Open session", "Open", false, FileKind::session};
+    case FilePurpose::saveSession:
+      return {"Save session", "Save", true, FileKind::session};
     case FilePurpose::openErased:
       return {"Open erased parts", "Open", false, FileKind::readVolume};
     case FilePurpose::saveErased:
@@ -91,6 +97,14 @@ void FileDialog::enter(const fs::path& wanted) {
 
 namespace {
 
+std::string replacedText(const std::vector<fs::path>& files) {
+  const std::string names = files.front().filename().string();
+  if (files.size() == 1) return names + " is there already; press Replace to write over it.";
+  const std::string others =
+      files.size() == 2 ? files.back().filename().string() : std::to_string(files.size() - 1) + " more files";
+  return names + " and " + others + " are there already; press Replace to write over them.";
+}
+
 // The name with the usual ending where it has none.
 //   errors  Error: it has another one
 fs::path withEnding(fs::path path, FileKind kind) {
@@ -120,11 +134,12 @@ std::optional<fs::path> accept(FileDialog& dialog) {
   } catch (const Error& wrong) {
     return complain(wrong.what());
   }
-  const bool exists = fs::exists(path, error);
-  if (!text.save && !exists) return complain("There is no file of that name here; choose one of the list.");
-  if (text.save && exists && !dialog.replaceAsked) {
+  if (!text.save && !fs::exists(path, error))
+    return complain("There is no file of that name here; choose one of the list.");
+  if (!text.save || dialog.replaceAsked) return path;
+  if (const auto replaced = replacedFiles(*dialog.purpose, path); !replaced.empty()) {
     dialog.replaceAsked = true;
-    return complain(path.filename().string() + " is there already; press Replace to write over it.");
+    return complain(replacedText(replaced));
   }
   return path;
 }

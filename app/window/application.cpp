@@ -7,11 +7,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
+#include <utility>
 
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
+#include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/workspace/commands.h"
+#include "app/workspace/session_actions.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -34,10 +38,11 @@ Application::Application(const std::optional<std::filesystem::path>& file, const
   workspace_.glInfo = gl::glInfo();
   workspace_.settings = settings_;
   if (file) {
-    workspace_.open(*file);
+    openAny(workspace_, *file);
   } else {
     workspace_.session.openPhantom();
   }
+  attempt([this] { askToRestore(); });
 }
 
 Application::~Application() {
@@ -79,6 +84,7 @@ bool Application::frame() {
   const bool due =
       busy || viewsWant_ >= 0 || toastsWant_ >= 0 || playWants_ >= 0 || ImGui::GetIO().WantTextInput;
   if (event || arrived || due) draw();
+  attempt([this] { autosave_.look(workspace_); });
   if (window_.closeRequested()) attempt([this] { answerClosing(); });
   return !workspace_.quit || workspace_.session.saving();
 }
@@ -86,12 +92,12 @@ bool Application::frame() {
 void Application::answerClosing() {
   window_.keepOpen();  // until the question is answered, where there is one
   window_.requestFrames();
-  workspace_.confirmLoss("Quitting", [this] { workspace_.quit = true; });
+  workspace_.confirmLoss(tr("Quitting"), [this] { workspace_.quit = true; });
 }
 
 // Keys are looked at when their frame has begun: whether a text field takes them is known only then.
 void Application::takeInput(const std::optional<Event>& event) {
-  for (const auto& file : window_.takeDroppedFiles()) workspace_.open(file);
+  takeDropped(workspace_, window_.takeDroppedFiles());
   workspace_.view.trail = event ? event->through : std::vector<glm::vec2>();
   if (!event || menuKeys_.take(*event, workspace_)) return;
   if (event->kind != Event::Kind::key || !event->down) return;
@@ -123,6 +129,8 @@ void Application::updateDocument() {
     workspace_.view.orientation = {};
     resetView(workspace_.view, scan, session.beam());
   }
+  takeInOpened(workspace_);
+  showModified();
   if (shownPoints_.see({session.results().points})) {
     if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtFace();
   }
@@ -134,9 +142,7 @@ void Application::updateDocument() {
 }
 
 void Application::draw() {
-  const auto isAsking = [this] {
-    return workspace_.files.purpose || workspace_.question || workspace_.choice || workspace_.rawQuestion;
-  };
+  const auto isAsking = [this] { return workspace_.files.purpose || workspace_.isAsked(); };
   const bool asked = isAsking();
   std::optional<Event> event;
   const bool begun = attempt([&] {
@@ -161,6 +167,28 @@ void Application::draw() {
   if (!workspace_.view.catchingUp) lookForGlErrors();
 }
 
+// Of several the newest is asked for; the others wait for the next start.
+void Application::askToRestore() {
+  std::vector<AutosaveSlot> left = AutosaveSlot::left(stateFolder());
+  while (!left.empty() && leftText(left.front().file()).empty()) left.erase(left.begin());
+  if (left.empty()) return;
+  for (std::size_t n = 1; n < left.size(); ++n) left[n].leave();
+  const std::shared_ptr<AutosaveSlot> slot(new AutosaveSlot(std::move(left.front())), [](AutosaveSlot* kept) {
+    kept->leave();  // unless it was answered
+    delete kept;
+  });
+  const auto restore = [this, slot] {
+    workspace_.session.openSession(autosave_.goOn(std::move(*slot)), true);
+  };
+  const auto discard = [slot] { const AutosaveSlot gone(std::move(*slot)); };
+  workspace_.recovery = Workspace::Recovery{leftText(slot->file()), restore, discard};
+}
+
+void Application::showModified() {
+  if (std::exchange(titleModified_, workspace_.isModified()) == titleModified_) return;
+  window_.setTitle(titleModified_ ? "● Sonoskin" : "Sonoskin");
+}
+
 // Each frame may have the same: one sentence is enough.
 void Application::lookForGlErrors() {
   gl::pollErrors();
@@ -179,6 +207,9 @@ void Application::drawInterface() {
   ui::drawQuestion(workspace_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
+  ui::drawLostVolume(workspace_);
+  ui::drawDropped(workspace_);
+  ui::drawRecovery(workspace_);
   ui::drawLog(workspace_);
   toastsWant_ = ui::drawToasts(workspace_.toasts, place);
   if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);

@@ -10,6 +10,7 @@
 #include "app/window/background_context.h"
 #include "app/window/desktop_window.h"
 #include "app/window/menu_keys.h"
+#include "app/workspace/autosave.h"
 #include "app/workspace/objects_seen.h"
 #include "app/workspace/workspace.h"
 #include "core/base/log.h"
@@ -30,6 +31,7 @@ class Application {
   // For tests: the document and the views, and a frame even though nothing happened.
   Workspace& workspace() { return workspace_; }
   const Workspace& workspace() const { return workspace_; }
+  Autosave& autosave() { return autosave_; }
   void requestFrame() { window_.requestFrames(1); }
   bool eventsWait() const { return window_.eventsWait(); }
   // atFrame: called where a frame begins that will be shown.
@@ -41,6 +43,8 @@ class Application {
   void draw();
   void drawInterface();
   void answerClosing();
+  void askToRestore();
+  void showModified();
   void lookForGlErrors();
   ui::ToastPlace drawMain();  // where messages may lie
   void act(const ui::FileChoice& choice);
@@ -56,13 +60,14 @@ class Application {
   std::optional<BackgroundContext> background_;  // made when first needed
   Workspace workspace_;
   MenuKeys menuKeys_;
+  Autosave autosave_{stateFolder()};
   ui::FourUp views_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
   std::set<std::string> noted_;        // of this document: each of its time steps may say the same
   std::uint64_t reconstructions_ = 0;  // seen so far
   double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;
-  bool glErrorTold_ = false;
+  bool glErrorTold_ = false, titleModified_ = false;
 };
 
 }  // namespace sonoskin

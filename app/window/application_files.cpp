@@ -3,6 +3,7 @@
 
 #include "app/views/view_shot.h"
 #include "app/window/application.h"
+#include "app/workspace/session_actions.h"
 
 namespace sonoskin {
 namespace {
@@ -15,14 +16,19 @@ void Application::act(const ui::FileChoice& choice) {
   Session& session = workspace_.session;
   workspace_.settings.folder = choice.path.parent_path();
   switch (choice.purpose) {
-    case ui::FilePurpose::openVolume:
-      return workspace_.open(choice.path);
+    case ui::FilePurpose::open:
+    case ui::FilePurpose::openSession:
+      return openAny(workspace_, choice.path);
+    case ui::FilePurpose::findVolume:
+      return openFound(workspace_, choice.path);
+    case ui::FilePurpose::saveSession:
+      return saveSessionTo(workspace_, choice.path);
     case ui::FilePurpose::openErased:
       return session.loadErased(choice.path);
     case ui::FilePurpose::saveErased:
       return session.saveErased(choice.path);
     case ui::FilePurpose::openRecipe:
-      return session.loadRecipe(choice.path);
+      return openRecipe(workspace_, choice.path);
     case ui::FilePurpose::saveRecipe:
       return session.saveRecipe(choice.path);
     case ui::FilePurpose::saveMesh:

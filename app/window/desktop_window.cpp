@@ -114,6 +114,7 @@ void DesktopWindow::endFrame() {
   glfwSwapBuffers(window_);
 }
 
+void DesktopWindow::setTitle(const char* title) { glfwSetWindowTitle(window_, title); }
 bool DesktopWindow::closeRequested() const { return glfwWindowShouldClose(window_); }
 void DesktopWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void DesktopWindow::keepOpen() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }

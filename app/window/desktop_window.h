@@ -49,6 +49,7 @@ class DesktopWindow {
   void settle() { events_.settle(); }
   void endFrame();  // draws the interface and shows it; where events wait, it only ends the frame
 
+  void setTitle(const char* title);
   bool closeRequested() const;
   void close();
   void keepOpen();  // takes a request to close back

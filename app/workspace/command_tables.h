@@ -10,7 +10,7 @@ std::span<const Command> fileCommands();
 std::span<const Command> editCommands();
 std::span<const Command> viewCommands();
 std::span<const Command> planeCommands();  // in the menu of the views
-std::span<const Command> lookCommands();  // theme and scale, in the menu of the views
+std::span<const Command> lookCommands();   // theme and scale, in the menu of the views
 std::span<const Command> stepCommands();
 std::span<const Command> regionCommands();
 std::span<const Command> surfaceCommands();

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/workspace/session_actions.h"
 #include "app/workspace/workspace.h"
 
 namespace sonoskin {
@@ -14,9 +15,13 @@ bool hasClassified(const W& w) { return w.session.results().classified && !w.ses
 
 // clang-format off
 const Command kCommands[] = {
-  {"file.open", "Open volume...", Menu::file, control(GLFW_KEY_O),
-   [](W& w) { w.files.ask(ui::FilePurpose::openVolume, w.settings.folder, ""); }},
+  {"file.open", "Open...", Menu::file, control(GLFW_KEY_O),
+   [](W& w) { w.files.ask(ui::FilePurpose::open, w.settings.folder, ""); }},
   {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.confirmLoss("Opening the phantom", [&w] { w.session.openPhantom(); }); }},
+  {"file.openSession", "Open session...", Menu::file, {},
+   [](W& w) { w.files.ask(ui::FilePurpose::openSession, w.settings.folder, ""); }, nullptr, nullptr, true},
+  {"file.saveSession", "Save session", Menu::file, controlShift(GLFW_KEY_S), [](W& w) { saveSession(w); }, hasScan},
+  {"file.saveSessionAs", "Save session as...", Menu::file, {}, [](W& w) { askWhereToSave(w); }, hasScan},
   {"file.openRecipe", "Open recipe...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::openRecipe, w.settings.folder, ""); }, nullptr, nullptr, true},
   {"file.saveRecipe", "Save recipe...", Menu::file, {},

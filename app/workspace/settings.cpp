@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/private_file.h"
 
 namespace sonoskin {
 namespace {
@@ -16,7 +15,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostRecent = 8;
-constexpr fs::perms kMine = fs::perms::owner_read | fs::perms::owner_write;
 
 // The value of a name; the first one where nothing has it.
 template <class E>
@@ -89,17 +87,8 @@ void writeSettings(const fs::path& file, const Settings& settings) {
                   {"appearance", enumNames(Appearance{})[std::size_t(settings.appearance)]},
                   {"scale", settings.scale}};
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
   try {
-    fs::permissions(file, kMine, error);  // an earlier file, whose permissions the new one takes over
-    writeAtomically(file, [&](const fs::path& temporary) {
-      fs::permissions(temporary, kMine);
-      std::ofstream stream(temporary);
-      stream << text;
-      stream.close();
-      require(bool(stream), "The settings could not be written; check the room on the disk.");
-    });
+    writePrivately(file, text);
   } catch (const Error&) {
   }
 }

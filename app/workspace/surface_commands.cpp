@@ -43,28 +43,25 @@ const Tool* chosenTool(const W& w) {
 
 bool busy(const W& w) { return w.session.activity().busy; }
 
-bool isAsked(const W& w) { return w.question || w.choice || w.rawQuestion; }
-
 bool isHelped(const W& w) { return w.keysShown || w.aboutShown; }
 
 // Escape ends what is most in the way.
 void escape(W& w) {
-  if (isAsked(w)) {
-    w.question.reset();
-    w.choice.reset();
-    w.rawQuestion.reset();
+  if (w.isAsked()) {
+    w.dropQuestions();
   } else if (isHelped(w)) {
     w.keysShown = w.aboutShown = false;
   } else if (const Tool* tool = chosenTool(w)) {
     putAway(w.view, *tool);
   } else if (busy(w)) {
+    play(w, false);
     w.session.cancel();
   } else {
     w.view.maximised.reset();
   }
 }
 bool canEscape(const W& w) {
-  return isAsked(w) || isHelped(w) || chosenTool(w) || busy(w) || w.view.maximised;
+  return w.isAsked() || isHelped(w) || chosenTool(w) || busy(w) || w.view.maximised;
 }
 
 // clang-format off

@@ -1,6 +1,7 @@
 #include "app/workspace/workspace.h"
 
 #include "app/document/face_view.h"
+#include "app/texts/texts.h"
 #include "core/io/scanners/raw_file.h"
 
 namespace sonoskin {
@@ -12,11 +13,23 @@ void Workspace::confirmLoss(const std::string& what, std::function<void()> actio
     action();
 }
 
+bool Workspace::isAsked() const {
+  return question || choice || rawQuestion || lostVolume || recovery || !dropped.empty();
+}
+
+void Workspace::dropQuestions() {
+  question.reset();
+  choice.reset();
+  rawQuestion.reset();
+  lostVolume.reset();
+  dropped.clear();
+  recovery.reset();
+}
+
+void Workspace::keepSettings() const { writeSettings(settingsFile(), settings); }
+
 void Workspace::open(const std::filesystem::path& file) {
-  confirmLoss("Opening another scan", [this, file] {
-    settings.noteOpened(file);
-    askOrOpen(file);
-  });
+  confirmLoss(tr("Opening another scan"), [this, file] { askOrOpen(file); });
 }
 
 // A file without a header is opened once the person has said what it holds; what was said last, or its size, proposes. What the

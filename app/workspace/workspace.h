@@ -27,6 +27,12 @@ struct Workspace {
     std::string what;  // "Opening another scan"
     std::function<void()> action;
   };
+  // Recovery: what another run of the program left that ended unexpectedly.
+  //   told  when it was written, and of what
+  struct Recovery {
+    std::string told;
+    std::function<void()> restore, discard;  // neither: it is asked again at the next start
+  };
   // RawQuestion: a file without a header, and what the person says of it.
   struct RawQuestion {
     std::filesystem::path file;
@@ -35,7 +41,13 @@ struct Workspace {
   };
   // confirmLoss: does something that ends the document, after a question where work would be lost.
   void confirmLoss(const std::string& what, std::function<void()> action);
-  // open: a volume file, remembered as a recent one.
+  bool isModified() const { return session.hasUnsavedWork(); }
+  // isAsked: whether a question waits for the person; dropQuestions: answers it with no, or later.
+  bool isAsked() const;
+  void dropQuestions();
+  // keepSettings: writes them.
+  void keepSettings() const;
+  // open: a volume file.
   void open(const std::filesystem::path& file);
   void askOrOpen(const std::filesystem::path& file);
   // openRaw: the file of rawQuestion, as it says.
@@ -56,6 +68,13 @@ struct Workspace {
   std::optional<RawQuestion> rawQuestion;  // what a file without a header holds
   Step step = Step::volume;                // whose parameters are shown
   TimeLeft timeLeft;
+  std::optional<LostVolume> lostVolume;        // of a session, for which the person is asked
+  std::filesystem::path sessionFile;           // where the session was saved or opened last; empty: nowhere
+  std::vector<std::filesystem::path> dropped;  // files, of which the person is asked to choose one
+  std::optional<Recovery> recovery;
+  bool restored = false;              // what such a run left is open
+  std::function<void()> afterSaving;  // what waits until the session is saved
+  std::uint64_t noted = 0;            // which opened scan is among the recent files
   TimePlay play;
   bool keysShown = false, aboutShown = false;
   std::optional<Menu> menuAsked;  // by a key, to be opened

@@ -14,7 +14,7 @@ namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-enum class Holds { volume, mesh, picture, recipe };
+enum class Holds { volume, mesh, picture, recipe, session };
 
 // Row: a format, and the endings under which it is read and written.
 //   keeps          what a written file holds, or where a read one is looked for; for people
@@ -110,36 +110,46 @@ const std::vector<Row>& rows() {
        {".dcm"},
        "mm; triangles alone; no patient, or the one that is given"},
       {F::png, Holds::picture, "PNG", {}, {".png"}, "pictures"},
-      {F::json, Holds::recipe, "JSON", {".json"}, {".json"}, "recipes"}};
+      {F::json, Holds::recipe, "JSON", {".json"}, {".json"}, "recipes"},
+      {F::session,
+       Holds::session,
+       "Sonoskin session",
+       {".sonoskin"},
+       {".sonoskin"},
+       "a recipe, the views, and where the volume lies on this machine; as a recipe too"}};
   return all;
 }
 
 const Row& rowOf(FileFormat format) { return rows()[std::size_t(format)]; }
 
 // Selection: which rows are a kind's, and whether by what is read or by what is written; `one` is a file of it, for
-// sentences.
+// sentences; `also` is taken beside it.
 struct Selection {
   Holds holds;
   bool reads;
   const char* one;
   bool Row::*flag = nullptr;
+  std::optional<Holds> also = {};
 };
-constexpr std::size_t kKinds = 8;
-constexpr std::array<Selection, kKinds> kSelections{{{Holds::volume, true, "a volume"},
-                                                     {Holds::volume, false, "a volume"},
-                                                     {Holds::mesh, true, "a mesh"},
-                                                     {Holds::mesh, false, "a mesh"},
-                                                     {Holds::mesh, false, "a solid to print", &Row::prints},
-                                                     {Holds::mesh, false, "a surface with skin", &Row::skins},
-                                                     {Holds::picture, false, "a picture"},
-                                                     {Holds::recipe, false, "a recipe"}}};
+constexpr std::size_t kKinds = 10;
+constexpr std::array<Selection, kKinds> kSelections{
+    {{Holds::volume, true, "a volume"},
+     {Holds::volume, false, "a volume"},
+     {Holds::mesh, true, "a mesh"},
+     {Holds::mesh, false, "a mesh"},
+     {Holds::mesh, false, "a solid to print", &Row::prints},
+     {Holds::mesh, false, "a surface with skin", &Row::skins},
+     {Holds::picture, false, "a picture"},
+     {Holds::recipe, false, "a recipe"},
+     {Holds::session, false, "a session"},
+     {Holds::volume, true, "a volume", nullptr, Holds::session}}};
 
 const Selection& selectionOf(FileKind kind) { return kSelections[std::size_t(kind)]; }
 
 const std::vector<std::string>& endingsOf(const Row& row, FileKind kind) {
   static const std::vector<std::string> none;
   const Selection& s = selectionOf(kind);
-  if (row.holds != s.holds || (s.flag && !(row.*s.flag))) return none;
+  if ((row.holds != s.holds && row.holds != s.also) || (s.flag && !(row.*s.flag))) return none;
   return s.reads ? row.read : row.written;
 }
 
@@ -150,7 +160,8 @@ std::string listed(const std::vector<std::string>& words) {
 
 // What a file is instead, by its name: "{} is a mesh".
 std::string instead(FileKind kind, const fs::path& file) {
-  for (const FileKind other : {FileKind::readVolume, FileKind::readMesh, FileKind::picture, FileKind::recipe})
+  for (const FileKind other :
+       {FileKind::readVolume, FileKind::readMesh, FileKind::picture, FileKind::recipe, FileKind::session})
     if (selectionOf(other).holds != selectionOf(kind).holds && formatNamed(other, file))
       return fmt::format("{} is {}, not {}", file.string(), selectionOf(other).one, selectionOf(kind).one);
   return fmt::format("{} is not {} of a format that is known here", file.string(), selectionOf(kind).one);
@@ -234,7 +245,7 @@ FileFormat volumeFormat(const fs::path& file, std::span<const std::uint8_t> star
 
 std::string formatTable() {
   std::string text = "| | format | read | written | what it keeps |\n|---|---|---|---|---|\n";
-  constexpr std::array<const char*, 4> kTitles{"volumes", "meshes", "pictures", "recipes"};
+  constexpr std::array<const char*, 5> kTitles{"volumes", "meshes", "pictures", "recipes", "sessions"};
   const Row* above = nullptr;
   for (const Row& row : rows()) {
     const bool first = !above || above->holds != row.holds;

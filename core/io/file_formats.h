@@ -30,12 +30,14 @@ enum class FileFormat {
   vtp,
   dicomStl,
   png,
-  json
+  json,
+  session
 };
 
 // FileKind: what a file is wanted for.
 //   printedMesh   a solid for a printer
 //   texturedMesh  a surface with the maps of its skin
+//   opened        what the window opens: a volume, or a session with one
 enum class FileKind {
   readVolume,
   writtenVolume,
@@ -44,7 +46,9 @@ enum class FileKind {
   printedMesh,
   texturedMesh,
   picture,
-  recipe
+  recipe,
+  session,
+  opened
 };
 
 // formatName: for people: "MetaImage".

@@ -16,9 +16,10 @@ using test::TempFolder;
 using ui::FilePurpose;
 
 constexpr FilePurpose kPurposes[] = {
-    FilePurpose::openVolume,     FilePurpose::openErased, FilePurpose::saveErased,  FilePurpose::openRecipe,
-    FilePurpose::saveRecipe,     FilePurpose::saveMesh,   FilePurpose::savePrint,   FilePurpose::saveScan,
-    FilePurpose::saveClassified, FilePurpose::saveSkin,   FilePurpose::saveLitSkin, FilePurpose::savePicture};
+    FilePurpose::open,       FilePurpose::findVolume,  FilePurpose::openSession, FilePurpose::saveSession,
+    FilePurpose::openErased, FilePurpose::saveErased,  FilePurpose::openRecipe,  FilePurpose::saveRecipe,
+    FilePurpose::saveMesh,   FilePurpose::savePrint,   FilePurpose::saveScan,    FilePurpose::saveClassified,
+    FilePurpose::saveSkin,   FilePurpose::saveLitSkin, FilePurpose::savePicture};
 
 // A dialog that lists and takes what the readers and writers take: nothing else, and all of it.
 TEST(FileDialog, OffersWhatCanBeReadAndWritten) {
@@ -77,6 +78,27 @@ TEST(FileDialog, AsksBeforeAFileIsReplaced) {
   EXPECT_FALSE(accept(dialog));
   EXPECT_NE(dialog.complaint.find("Replace"), std::string::npos);
   EXPECT_EQ(accept(dialog), folder / "face.ply");
+}
+
+// All that is written is asked for, whoever made it.
+TEST(FileDialog, AsksBeforeWhatLiesBesideIsReplaced) {
+  const TempFolder folder;
+  folder.write("face.recipe.json", R"({"sonoskin": "of somebody else"})");
+  ui::FileDialog dialog;
+  dialog.ask(FilePurpose::saveMesh, folder.path(), "face");
+  EXPECT_FALSE(accept(dialog));
+  EXPECT_NE(dialog.complaint.find("face.recipe.json"), std::string::npos) << dialog.complaint;
+  EXPECT_EQ(accept(dialog), folder / "face.ply");
+  folder.write("skin.mtl", "x");
+  dialog.ask(FilePurpose::saveSkin, folder.path(), "skin.obj");
+  EXPECT_FALSE(accept(dialog));
+  EXPECT_NE(dialog.complaint.find("skin.mtl"), std::string::npos) << dialog.complaint;
+  folder.write("baby_0003.ply", "x"), folder.write("baby_0004.ply", "x"), folder.write("baby_x.ply", "x");
+  dialog.ask(FilePurpose::saveSequence, folder.path(), "baby.ply");
+  EXPECT_FALSE(accept(dialog));
+  EXPECT_NE(dialog.complaint.find("baby_0003.ply and baby_0004.ply"), std::string::npos) << dialog.complaint;
+  dialog.ask(FilePurpose::saveRecipe, folder.path(), "other.json");
+  EXPECT_TRUE(accept(dialog));
 }
 
 // Help and README are made from the same table.

@@ -65,6 +65,21 @@ TEST(SessionTime, AnotherStepKeepsTheDocument) {
   EXPECT_TRUE(session.scan().key == first);
 }
 
+TEST(SessionTime, AStepThatIsCancelledLeavesTheOneThatIs) {
+  const TempFolder folder;
+  OpenRecording session(folder);
+  Parameters parameters = session.parameters();
+  parameters.scan.time = 3;
+  session.edit(parameters);
+  session.cancel();
+  EXPECT_TRUE(session.isAtTime());
+  EXPECT_EQ(session.parameters().scan.time, 1);
+  ASSERT_TRUE(wait(session));
+  EXPECT_EQ(session.scan().time, 1);
+  session.goTo(3);
+  EXPECT_EQ(session.scan().time, 3) << "it can be asked for again";
+}
+
 // A step that is not there is told once; the scan stays, and another step can be asked for.
 TEST(SessionTime, AStepThatIsNotThereIsTold) {
   const TempFolder folder;

@@ -262,6 +262,13 @@ def corpus():
         "ragged": b'{"erased": {"dims": [5, 4, 3], "counts": [18446744073709551615, 61]}}',
         "number": b'{"classification": {"alpha": 1e999}}', "deep": b"[" * 2000,
         "wraps": b'{"mesh": {"smooth": 4294967297}}'}
+    session = {"sonoskin_session": 1, "volume": "/a.nrrd", "surface": True, "follows": False, "recipe": RECIPE,
+               "views": {"cursor": [1, 2, 3], "layer": "raw", "grey": {"level": 0.5, "width": 1},
+                         "slices": [{"pan": [1, 2], "zoom": 2}] * 3, "maximised": "space",
+                         "camera": {"forward": [0, 1, 0], "up": [0, 0, 1], "distance": 90}}}
+    yield "session", {"whole": json.dumps(session).encode()}, {
+        "deep": b'{"sonoskin_session": 1, "views": {"a": ' + b"[" * 2000,
+        "numbers": json.dumps(session | {"views": {"grey": {"width": -1e300}, "brushRadius": 1e308}}).encode()}
     yield "landmarks", {"some": b"landmarks.noseTip=1.5,-2,30\nlandmarks.mouthLeft=1,2,3\nclassification.alpha=0.7"}, {
         "nan": b"landmarks.noseTip=nan,inf,1\nlandmarks.leftEye=1,2\nlandmarks.rightEye=1,2,3,4"}
     yield "settings", {"whole": json.dumps(SETTINGS).encode()}, {

@@ -150,8 +150,9 @@ inline double difference(const Image& a, const Image& b, const Driver& driver, c
 class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
-    // Neither the person's own settings are read or written, nor those of the test before.
+    // Neither the person's own settings and sessions are read or written, nor those of the test before.
     setenv("XDG_CONFIG_HOME", (folder.path() / "settings").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder.path() / "state").c_str(), 1);
     driver = std::make_unique<Driver>(smallPhantom());
   }
   const test::TempFolder folder;

@@ -1,0 +1,86 @@
+#include "app/document/session_file.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/version.h"
+
+namespace sonoskin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kMark = "sonoskin_session";
+constexpr int kFormat = 1;
+
+// Deeper than anything that is written here; what takes a text apart, or writes it, calls itself once a level.
+constexpr int kMostLevels = 12;
+
+Json parse(const std::string& text) {
+  bool tooDeep = false;
+  const auto look = [&](int depth, Json::parse_event_t, const Json&) {
+    return !(tooDeep |= depth > kMostLevels);
+  };
+  Json json = Json::parse(text, look, false);
+  return tooDeep ? Json() : json;
+}
+
+bool isSession(const Json& json) { return json.is_object() && json.contains(kMark); }
+
+// The object of a name, as text; empty where there is none.
+std::string objectAt(const Json& json, const char* name) {
+  const auto found = json.find(name);
+  return found != json.end() && found->is_object() ? found->dump() : std::string();
+}
+
+bool truthAt(const Json& json, const char* name, bool otherwise) {
+  const auto found = json.find(name);
+  return found != json.end() && found->is_boolean() ? found->get<bool>() : otherwise;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+// The recipe stands as it is, with what is erased on one line.
+std::string writeSessionFile(const SessionFile& session) {
+  Json json;
+  json[kMark] = kFormat;
+  json["sonoskin"] = kVersion;
+  json["volume"] = session.volume.string();
+  json["surface"] = session.hasSurface;
+  json["follows"] = session.follows;
+  json["views"] = parse(session.views);
+  std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  text.insert(text.size() - 2, ",\n  \"recipe\": " + std::string(trimmed(session.recipe)));
+  return text + "\n";
+}
+
+SessionFile readSessionFile(const std::string& text) {
+  const Json json = parse(text);
+  require(isSession(json), "This is no session of Sonoskin, or it is damaged; open another one.");
+  const Json& format = json[kMark];
+  require(format.is_number_integer() && format == kFormat,
+          "This session was saved by a newer Sonoskin; open it with that.");
+  SessionFile session;
+  if (const auto volume = json.find("volume"); volume != json.end() && volume->is_string())
+    session.volume = volume->get<std::string>();
+  session.recipe = objectAt(json, "recipe");
+  require(!session.recipe.empty(), "This session holds no recipe: it is damaged; open another one.");
+  session.hasSurface = truthAt(json, "surface", false);
+  session.follows = truthAt(json, "follows", true);
+  if (std::string views = objectAt(json, "views"); !views.empty()) session.views = std::move(views);
+  return session;
+}
+
+std::string recipeIn(const std::string& text) {
+  if (text.find(kMark) == std::string::npos) return text;
+  const Json json = parse(text);
+  return isSession(json) ? objectAt(json, "recipe") : text;
+}
+
+}  // namespace sonoskin
