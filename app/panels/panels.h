@@ -43,6 +43,7 @@ void drawStatusBar(Workspace& workspace);
 
 // Windows of their own.
 void drawKeys(Workspace& workspace);
+void drawHistory(Workspace& workspace);  // the steps that can be taken back
 void drawAbout(Workspace& workspace);
 void drawQuestion(Workspace& workspace);      // before unsaved work is lost
 void drawLostVolume(Workspace& workspace);    // where a session's volume is

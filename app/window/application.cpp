@@ -204,6 +204,7 @@ void Application::drawInterface() {
   const ui::ToastPlace place = drawMain();
   ui::drawKeys(workspace_);
   ui::drawAbout(workspace_);
+  ui::drawHistory(workspace_);
   ui::drawQuestion(workspace_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);

@@ -23,6 +23,8 @@ const Command kCommands[] = {
    [](const W& w) { return w.session.canUndo(); }},
   {"edit.redo", "Redo", Menu::edit, controlShift(GLFW_KEY_Z), [](W& w) { w.session.redo(); },
    [](const W& w) { return w.session.canRedo(); }},
+  {"edit.history", "History", Menu::edit, {}, [](W& w) { w.historyShown = !w.historyShown; }, hasScan,
+   [](const W& w) { return w.historyShown; }},
   {"edit.reset", "All parameters to their defaults", Menu::edit, {}, resetParameters, nullptr, nullptr, true},
 };
 // clang-format on

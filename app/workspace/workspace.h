@@ -76,7 +76,7 @@ struct Workspace {
   std::function<void()> afterSaving;  // what waits until the session is saved
   std::uint64_t noted = 0;            // which opened scan is among the recent files
   TimePlay play;
-  bool keysShown = false, aboutShown = false;
+  bool keysShown = false, aboutShown = false, historyShown = false;
   std::optional<Menu> menuAsked;  // by a key, to be opened
   double screenScale = 1;         // of texts and widgets, where the settings have none
   glm::dvec3 typedSpacing{1};     // mm; for files that give none
