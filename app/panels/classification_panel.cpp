@@ -104,10 +104,11 @@ void drawClassificationPanel(Workspace& workspace) {
   const auto text = [&](std::string_view field) { return rowText(workspace, parameters, field); };
   FieldsEdit edit;
   if (beginFields("first")) {
-    edit = presetRow(parameters);
+    edit = presetRow(workspace, parameters);
     edit |= drawRows(parameters.classification, kFirst, text);
     endFields();
   }
+  drawPresetName(workspace);
   edit |= drawBlocks(parameters.classification, text);
   edit |= groupRows(tr("Less speckle before"), "enhancement", parameters.enhancement,
                     {{}, false, useOf(parameters, "enhancement")});

@@ -14,6 +14,7 @@
 #include "app/workspace/step.h"
 #include "app/workspace/time_left.h"
 #include "app/workspace/time_play.h"
+#include "app/workspace/user_presets.h"
 #include "app/workspace/view_state.h"
 
 namespace sonoskin {
@@ -76,6 +77,8 @@ struct Workspace {
   std::function<void()> afterSaving;  // what waits until the session is saved
   std::uint64_t noted = 0;            // which opened scan is among the recent files
   TimePlay play;
+  std::optional<std::vector<UserPreset>> presets;  // the person's own; not read yet
+  std::optional<std::string> presetName;           // of one that is about to be kept, while it is typed
   bool keysShown = false, aboutShown = false, historyShown = false;
   std::optional<Menu> menuAsked;  // by a key, to be opened
   double screenScale = 1;         // of texts and widgets, where the settings have none
