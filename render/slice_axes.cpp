@@ -94,6 +94,12 @@ PlaneAxes planeAxes(const Geometry& geometry, const ViewFrame& frame) {
   return planes;
 }
 
+bool isQuarterTurn(const glm::dmat3& turn) {
+  glm::dmat3 whole;
+  for (int n = 0; n < 3; ++n) whole[n] = glm::round(turn[n]);
+  return whole == turn && glm::transpose(turn) * turn == glm::dmat3(1) && glm::determinant(turn) > 0;
+}
+
 glm::dmat3 turnedInPlane(const ViewFrame& frame, Plane plane) {
   const Layout layout = layoutAcross(frame, acrossIn(frame, plane));
   const double sign = layout.downward ? 1 : -1;
@@ -124,11 +130,11 @@ const char* planeName(const ViewFrame& frame, Plane plane) {
 glm::vec3 planeColour(Plane plane) {
   switch (plane) {
     case Plane::sagittal:
-      return {0.93f, 0.79f, 0.24f};
+      return {0.94f, 0.87f, 0.36f};
     case Plane::coronal:
-      return {0.36f, 0.74f, 0.38f};
+      return {0.12f, 0.68f, 0.53f};
     case Plane::axial:
-      return {0.91f, 0.34f, 0.29f};
+      return {0.88f, 0.35f, 0.20f};
   }
   return {};
 }

@@ -66,6 +66,9 @@ ViewFrame scannerFrame(const Geometry& geometry, const Beam& beam);
 // sagittal with the front on the left, as 3D Slicer). Scanner: depth downward in A and B; C with elevation downward.
 PlaneAxes planeAxes(const Geometry& geometry, const ViewFrame& frame);
 
+// isQuarterTurn: whether a matrix turns by quarters about the axes, and does nothing else.
+bool isQuarterTurn(const glm::dmat3& turn);
+
 // turnedInPlane: the frame's turn after what a plane's picture shows was turned clockwise by a quarter, in all views.
 glm::dmat3 turnedInPlane(const ViewFrame& frame, Plane plane);
 

@@ -34,6 +34,24 @@ glm::vec2 windowTerms(const GreyWindow& window) {
   return {1 / window.width, 0.5f - window.level / window.width};
 }
 
+// Coloured: a volume that is shown in a colour over the grey.
+struct Coloured {
+  const GpuVolume& volume;
+  GreyWindow window;
+  glm::vec3 colour;
+  float opacity;
+};
+
+void setColoured(gl::Program& program, const std::string& prefix, int unit, const Coloured& layer,
+                 const SliceFrame& frame) {
+  layer.volume.values().bind(unsigned(unit));
+  program.set(prefix.c_str(), unit);
+  setLayer(program, prefix, geometryOf(layer.volume), frame);
+  program.set((prefix + "Window").c_str(), windowTerms(layer.window));
+  program.set((prefix + "Colour").c_str(), layer.colour);
+  program.set((prefix + "Opacity").c_str(), layer.opacity);
+}
+
 void setCrossHair(gl::Program& program, const SliceViewInput& input, const SliceFrame& frame) {
   const glm::vec2 cursor(frame.toPixel(input.camera.cursor));
   program.set("cursor", input.crossHair ? cursor : glm::vec2(-1e6f));
@@ -60,12 +78,13 @@ void setBox(gl::Program& program, const SliceViewInput& input, const SliceFrame&
 
 }  // namespace
 
-gl::Program& SliceView::programFor(bool overlaid, bool erased) {
-  auto& program = programs_[std::size_t(overlaid) + 2 * std::size_t(erased)];
+gl::Program& SliceView::programFor(bool overlaid, bool erased, bool tinted) {
+  auto& program = programs_[std::size_t(overlaid) + 2 * std::size_t(erased) + 4 * std::size_t(tinted)];
   if (!program) {
     std::vector<std::string> defines;
     if (overlaid) defines.push_back("OVERLAY");
     if (erased) defines.push_back("ERASED");
+    if (tinted) defines.push_back("TINT");
     program.emplace(std::vector<std::string>{"common/fullscreen.vert", "volume/slice.frag"}, defines);
   }
   return *program;
@@ -75,7 +94,8 @@ void SliceView::draw(const SliceViewInput& input, const gl::Target& target) {
   const SliceFrame frame = sliceFrame(input.frame, input.camera, target.size);
   const bool overlaid = input.overlay && !input.overlay->empty();
   const bool erased = input.erased && *input.erased;
-  auto& program = programFor(overlaid, erased);
+  const bool tinted = input.tint && !input.tint->empty();
+  auto& program = programFor(overlaid, erased, tinted);
   target.bind();
   glDisable(GL_BLEND);
   program.use();
@@ -86,14 +106,12 @@ void SliceView::draw(const SliceViewInput& input, const gl::Target& target) {
   program.set("window", windowTerms(input.window));
   setCrossHair(program, input, frame);
   setBox(program, input, frame);
-  if (overlaid) {
-    input.overlay->values().bind(1);
-    program.set("overlay", 1);
-    setLayer(program, "overlay", geometryOf(*input.overlay), frame);
-    program.set("overlayWindow", windowTerms(input.overlayWindow));
-    program.set("overlayColour", input.overlayColour);
-    program.set("overlayOpacity", input.overlayOpacity);
-  }
+  if (overlaid)
+    setColoured(program, "overlay", 1,
+                {*input.overlay, input.overlayWindow, input.overlayColour, input.overlayOpacity}, frame);
+  if (tinted)
+    setColoured(program, "tint", 3, {*input.tint, input.tintWindow, input.tintColour, input.tintOpacity},
+                frame);
   if (erased) {
     input.erased->texture().bind(2);
     program.set("erased", 2);

@@ -23,6 +23,7 @@ struct GreyWindow {
 //   volume         shown in grey; nothing where it is empty
 //   overlay        may be null; its values, windowed, shown as `overlayColour` (sRGB) over the grey
 //   overlayOpacity 0 to 1
+//   tint           as overlay, below it
 //   erased         may be null; of the frame's geometry; shown in `erasedColour` (sRGB) where it is not zero
 //   box            two corners in the world, the lowest and the highest along the frame's axes: lines at its sides, and
 //                  darker outside
@@ -36,6 +37,10 @@ struct SliceViewInput {
   GreyWindow overlayWindow{};
   glm::vec3 overlayColour{1.0f, 0.62f, 0.16f};
   float overlayOpacity = 1;
+  const GpuVolume* tint = nullptr;
+  GreyWindow tintWindow{};
+  glm::vec3 tintColour{0.24f, 0.55f, 1.0f};
+  float tintOpacity = 0.75f;
   const GpuMask* erased = nullptr;
   glm::vec3 erasedColour{0.85f, 0.20f, 0.35f};
   std::optional<std::array<glm::dvec3, 2>> box{};
@@ -48,9 +53,9 @@ class SliceView {
   void draw(const SliceViewInput& input, const gl::Target& target);
 
  private:
-  gl::Program& programFor(bool overlaid, bool erased);
+  gl::Program& programFor(bool overlaid, bool erased, bool tinted);
 
-  std::array<std::optional<gl::Program>, 4> programs_;  // made when first needed
+  std::array<std::optional<gl::Program>, 8> programs_;  // made when first needed
 };
 
 }  // namespace sonoskin

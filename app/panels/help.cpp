@@ -13,7 +13,7 @@ namespace {
 struct MouseLine {
   const char *where, *what, *effect;
 };
-constexpr std::array<MouseLine, 24> kMouse{{
+constexpr std::array<MouseLine, 27> kMouse{{
     {"Slices", "Left button", "move the cross-hair"},
     {"", "Wheel", "next slice"},
     {"", "Ctrl+wheel", "zoom"},
@@ -25,9 +25,12 @@ constexpr std::array<MouseLine, 24> kMouse{{
     {"Outline", "Left", "cut out what is seen within it"},
     {"", "Ctrl+left", "bring it back"},
     {"", "Shift+left", "keep nothing but what is seen within it"},
+    {"Measure", "Click, or drag", "set a mark, or move one"},
+    {"", "Double click", "close an area"},
     {"3D", "Left", "rotate"},
     {"", "Middle or Shift+left", "pan"},
     {"", "Right or wheel", "zoom"},
+    {"", "Click on the cube", "look from that side"},
     {"Parts", "Click", "take a part away, or bring it back"},
     {"", "Shift+click", "leave that part alone"},
     {"", "Ctrl+left", "draw a line that splits a part"},

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/panels/measure_rows.h"
 #include "app/panels/panels.h"
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
@@ -66,10 +67,16 @@ float gap() { return 6 * unit(); }
 constexpr Names kLayers{"Raw", "Classified", "Thinned"};
 
 void drawMarks(ViewState& view) {
-  ImGui::Checkbox(tr("Mark the surface voxels"), &view.surfaceVoxels);
-  noteWidget("view.surfaceVoxels");
-  ImGui::Checkbox(tr("Show the crop box"), &view.cropBox);
-  noteWidget("view.cropBox");
+  const auto box = [](const char* name, const char* id, bool& shown) {
+    ImGui::Checkbox(tr(name), &shown);
+    noteWidget(id);
+  };
+  box("Mark the surface voxels", "view.surfaceVoxels", view.surfaceVoxels);
+  box("Classified volume in colour", "view.tint", view.classifiedTint);
+  box("Points", "view.points", view.slicePoints);
+  box("Contour of the surface", "view.contour", view.meshContour);
+  box("Show the crop box", "view.cropBox", view.cropBox);
+  box("Zoom all slices together", "view.linkedZoom", view.linkedZoom);
 }
 
 void drawSliceBar(ViewState& view, bool wide) {
@@ -80,9 +87,11 @@ void drawSliceBar(ViewState& view, bool wide) {
   if (moreButton("view.slice.more")) ImGui::OpenPopup("more");
 }
 
-void drawSliceMore(ViewState& view, bool wide) {
-  if (!wide) choose("view.layer", kLayers, view.layer);
-  drawMarks(view);
+void drawSliceMore(Workspace& workspace, bool wide) {
+  if (!wide) choose("view.layer", kLayers, workspace.view.layer);
+  drawMarks(workspace.view);
+  ImGui::Separator();
+  drawMeasureRows(workspace);
 }
 
 float sliceBarWidth(bool wide) { return (wide ? textSegmentsWidth(kLayers) + gap() : 0) + moreWidth(); }
@@ -196,7 +205,7 @@ void drawMore(Workspace& workspace, const ShownPane& place, bool wide) {
   if (place.pane == Pane::space)
     drawSpaceMore(workspace, wide);
   else
-    drawSliceMore(workspace.view, wide);
+    drawSliceMore(workspace, wide);
   ImGui::EndPopup();
 }
 
@@ -228,7 +237,8 @@ void drawBar(Workspace& workspace, const ShownPane& place) {
 
 void drawViewBars(Workspace& workspace, std::span<const ShownPane> places) {
   if (!workspace.session.hasScan()) return;
-  for (const ShownPane& place : places) drawBar(workspace, place);
+  for (const ShownPane& place : places)
+    if (!place.compared) drawBar(workspace, place);
 }
 
 }  // namespace sonoskin::ui

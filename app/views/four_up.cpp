@@ -1,48 +1,43 @@
 #include "app/views/four_up.h"
 
-#include <cmath>
+#include <algorithm>
 
+#include "app/views/layouts.h"
 #include "app/views/use_tool.h"
-#include "app/widgets/theme.h"
+#include "app/workspace/shown_layers.h"
 
 namespace sonoskin::ui {
 namespace {
 
-const char* nameOf(Pane pane) {
+// Names of the views for the interface: those that are compared are others.
+const char* nameOf(const Cell& cell) {
   constexpr std::array<const char*, 4> kNames{"axial", "space", "sagittal", "coronal"};
-  return kNames[std::size_t(pane)];
+  constexpr std::array<const char*, 3> kLayers{"raw", "classified", "thinned"};
+  return cell.layer ? kLayers[std::size_t(*cell.layer)] : kNames[std::size_t(cell.pane)];
 }
 
-Plane planeOf(Pane pane) {
-  switch (pane) {
-    case Pane::sagittal:
-      return Plane::sagittal;
-    case Pane::coronal:
-      return Plane::coronal;
-    default:
-      return Plane::axial;
-  }
+double drawContent(FourUp& views, Workspace& workspace, const Cell& cell, const PaneInput& pane) {
+  if (cell.pane == Pane::space) return drawSpaceWindow(views.space, views.scans, workspace, pane);
+  const ShownSlice shown{cell.plane, cell.layer.value_or(workspace.view.layer), cell.layer.has_value()};
+  SliceWindow& window =
+      cell.layer ? views.compared[std::size_t(*cell.layer)] : views.slices[std::size_t(cell.plane)];
+  drawSliceWindow(window, shown, views.sliceView, views.scans, workspace, pane);
+  return -1;
 }
 
-double drawPane(FourUp& views, Workspace& workspace, Pane which, ImVec2 corner, ImVec2 size) {
-  double next = -1;
-  const PaneKind kind = which == Pane::space ? PaneKind::space : PaneKind::slice;
-  PaneInput pane = beginPane(nameOf(which), corner, size);
+double drawCell(FourUp& views, Workspace& workspace, const Cell& cell) {
+  const PaneKind kind = cell.pane == Pane::space ? PaneKind::space : PaneKind::slice;
+  PaneInput pane = beginPane(nameOf(cell), cell.corner, cell.size);
   const bool alone = pane.doubleClicked && !takesDoubleClicks(workspace, kind);
   pane = views.clicks.filter(pane, alone, workspace.view.cursor);
-  if (which == Pane::space) {
-    next = drawSpaceWindow(views.space, views.scans, workspace, pane);
-  } else {
-    const Plane plane = planeOf(which);
-    drawSliceWindow(views.slices[std::size_t(plane)], plane, views.sliceView, views.scans, workspace, pane);
-  }
+  const double next = drawContent(views, workspace, cell, pane);
   endPane();
-  views.shown.push_back({which, pane.corner, pane.size});
+  views.shown.push_back({cell.pane, pane.corner, pane.size, cell.layer.has_value()});
   if (alone) {
     if (workspace.view.maximised) {
       workspace.view.maximised.reset();
     } else {
-      workspace.view.maximised = which;
+      workspace.view.maximised = cell.pane;
     }
   }
   return next;
@@ -67,8 +62,7 @@ void copyVolumes(GpuScans& scans, const Workspace& w) {
   const Results& results = w.session.results();
   const bool inSpace = !showsMesh(w);
   const auto copy = [&](GpuVolume& to, const auto& volume, bool space, SliceLayer layer) {
-    const bool marks = layer == SliceLayer::thinned && view.surfaceVoxels;
-    if (!volume || !(space || marks || view.layer == layer)) return;
+    if (!volume || !(space || isInSlices(w, layer))) return;
     to.set(volume);
     // What the driver cannot hold is told by the view that shows it.
     failureOf([&] { scans.ready &= to.prepare(kCopySeconds, space); });
@@ -92,19 +86,21 @@ double drawFourUp(FourUp& views, Workspace& workspace) {
     workspace.view.planes = planeAxes(workspace.session.scan().volume->geometry, workspace.viewFrame());
   views.shown.clear();
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
+  LayoutState& layout = workspace.settings.layout;
+  const Cells cells = cellsOf(layout, corner, area);
   // A copy: a double click changes it, and that counts from the next frame.
-  if (const auto maximised = workspace.view.maximised)
-    return soonest(drawPane(views, workspace, *maximised, corner, area), views.scans);
-  const float gap = std::round(2 * unit());
-  const ImVec2 size{std::floor((area.x - gap) / 2), std::floor((area.y - gap) / 2)};
-  double next = -1;
-  for (int i = 0; i < 4; ++i) {
-    const Pane pane = kPanes[std::size_t(i)];
-    const double wanted =
-        drawPane(views, workspace, pane,
-                 {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
-    if (pane == Pane::space) next = wanted;
+  if (const auto maximised = workspace.view.maximised) {
+    Cell cell = *std::ranges::find(cells, *maximised, &Cell::pane);
+    cell.corner = corner;
+    cell.size = area;
+    return soonest(drawCell(views, workspace, cell), views.scans);
   }
+  double next = -1;
+  for (const Cell& cell : cells) {
+    const double wanted = drawCell(views, workspace, cell);
+    if (cell.pane == Pane::space) next = wanted;
+  }
+  drawDividers(layout, corner, area);
   return soonest(next, views.scans);
 }
 

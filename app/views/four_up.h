@@ -12,17 +12,18 @@
 
 namespace sonoskin::ui {
 
-// FourUp: the three slices and the 3D view, with everything that they keep on the GPU.
+// FourUp: slices and the 3D view, with everything that they keep on the GPU.
 struct FourUp {
   GpuScans scans;
   std::optional<SliceView> sliceView;
-  std::array<SliceWindow, 3> slices;  // by Plane
+  std::array<SliceWindow, 3> slices;    // by Plane
+  std::array<SliceWindow, 3> compared;  // by SliceLayer
   SpaceWindow space;
   DoubleClick clicks;
   std::vector<ShownPane> shown;  // in the last frame
 };
 
-// drawFourUp: two by two, or the maximised one alone, in what is left of the current ImGui window.
+// drawFourUp: as Settings::layout has them, or the maximised one alone, in what is left of the current ImGui window.
 //   output  seconds after which it wants a frame; negative for never
 double drawFourUp(FourUp& views, Workspace& workspace);
 

@@ -8,10 +8,13 @@
 
 #include "app/texts/texts.h"
 #include "app/views/edge_marks.h"
+#include "app/views/measure_marks.h"
+#include "app/views/slice_overlays.h"
+#include "app/views/slice_picture.h"
 #include "app/views/steering.h"
 #include "app/views/use_tool.h"
 #include "app/widgets/theme.h"
-#include "core/pipeline/parameter_key.h"
+#include "app/workspace/grey_windows.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -21,134 +24,77 @@ ImVec4 colourOf(Plane plane) {
   return colours[std::size_t(plane)];
 }
 
-bool marksVoxels(const Workspace& w) {
-  return w.view.surfaceVoxels && w.view.layer != SliceLayer::thinned && w.session.results().thinned;
-}
-
-Key pictureKey(const Workspace& w, Plane plane, glm::ivec2 size) {
-  const ViewState& v = w.view;
-  const SlicePose& pose = v.slices[std::size_t(plane)];
-  Hasher hasher("slice");
-  hasher.add(plane).add(size.x).add(size.y).add(v.layer).add(v.grey.level).add(v.grey.width);
-  hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
-  for (const SliceAxes& axes : v.planes.byPlane)
-    hasher.add(axes.across).add(axes.right).add(axes.down).add(axes.rightGrows).add(axes.downGrows);
-  hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
-  hasher.add(marksVoxels(w)).add(v.cropBox).add(w.session.erased().key());
-  addOptions(hasher, w.session.parameters().region);
-  return hasher.key();
-}
-
-// Whether a slider was answered in the slice itself before the volume is classified.
-bool isAnswered(const Workspace& w, Plane plane) {
-  const int axis = w.view.planes[plane].across;
-  const auto& slice = w.session.results().slices[std::size_t(axis)];
-  return slice && std::abs(slice->geometry.toIndex(w.view.cursor)[axis]) < 0.5;
-}
-
-// The volume that the layer names; the raw one until the other is there.
-const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, SliceLayer layer, Plane plane) {
-  const Results& results = w.session.results();
-  if (layer == SliceLayer::classified && isAnswered(w, plane)) {
-    GpuVolume& slice = scans.slices[std::size_t(w.view.planes[plane].across)];
-    slice.set(results.slices[std::size_t(w.view.planes[plane].across)]);
-    return slice;
-  }
-  if (layer == SliceLayer::classified && results.classified) {
-    scans.classified.set(results.classified);
-    return scans.classified;
-  }
-  if (layer == SliceLayer::thinned && results.thinned) {
-    scans.thinned.set(results.thinned);
-    return scans.thinned;
-  }
-  scans.raw.set(w.session.scan().volume);
-  return scans.raw;
-}
-
-void redraw(SliceWindow& window, Plane plane, SliceView& view, GpuScans& scans, const Workspace& w) {
-  SliceViewInput input{.frame = w.session.scan().volume->geometry,
-                       .camera = cameraOf(w.view, plane),
-                       .volume = shownVolume(scans, w, w.view.layer, plane)};
-  if (w.view.layer == SliceLayer::raw) input.window = w.view.grey;
-  if (marksVoxels(w)) {
-    input.overlay = &shownVolume(scans, w, SliceLayer::thinned, plane);
-    input.overlayWindow = {0.25f, 0.5f};  // weak voxels are marked as well as strong ones
-    input.overlayOpacity = 0.85f;
-  }
-  if (w.session.erased().voxels() > 0) {
-    scans.erased.set(w.session.erased().mask(), w.session.erased().key());
-    input.erased = &scans.erased;
-  }
-  if (w.view.cropBox) input.box = boxCorners(w.session.parameters().region, input.frame);
-  view.draw(input, window.picture);
-}
-
-// Draws the picture anew where what it shows has changed. One that fails is not tried again until then.
-void refresh(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans, Workspace& w,
-             glm::ivec2 size) {
-  if (w.view.catchingUp || !scans.ready) return;
-  const Results& results = w.session.results();
-  const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned,
-                                       results.slices[std::size_t(w.view.planes[plane].across)]});
-  const Key key = pictureKey(w, plane, size);
-  if (!others && key == window.drawn) return;
-  window.drawn = key;
-  const std::string failure = failureOf([&] {
-    if (!view) view.emplace();
-    if (!window.picture) window.picture = gl::Framebuffer({.size = size});
-    window.picture.fit(size);
-    redraw(window, plane, *view, scans, w);
-  });
-  if (failure.empty()) return;
-  window.picture = {};
-  w.toasts.add(failure, true);
+std::string nameOf(const ViewFrame& frame, const ShownSlice& shown) {
+  const std::string plane = tr(planeName(frame, shown.plane));
+  if (!shown.compared) return plane;
+  constexpr std::array<const char*, 3> kLayers{"Raw", "Classified", "Thinned"};
+  return fmt::format("{}   {}", tr(kLayers[std::size_t(shown.layer)]), plane);
 }
 
 // Where the slice lies: counted along its axis, and where that is in the world or from the probe.
 std::string placeText(const Workspace& w, const ViewFrame& frame, Plane plane) {
   const Geometry& g = w.session.scan().volume->geometry;
   const SliceAxes& axes = w.view.planes[plane];
-  const int slice = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axes.across])) + 1;
   const int last = g.dims[axes.across];
-  const std::string count =
-      fmt::format(fmt::runtime(tr("{} of {}")), axes.acrossGrows ? slice : last + 1 - slice, last);
-  if (!frame.isPatient) {
-    const int before = (axes.acrossGrows ? slice : last + 1 - slice) - 1;
-    return fmt::format("{}   {:.1f} mm", count, double(before) * g.spacing[axes.across]);
-  }
+  const int index = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axes.across]));
+  const int before = axes.acrossGrows ? index : last - 1 - index;
+  const std::string count = fmt::format(fmt::runtime(tr("{} of {}")), before + 1, last);
+  if (!frame.isPatient) return fmt::format("{}   {:.1f} mm", count, double(before) * g.spacing[axes.across]);
   const double at = w.view.cursor[int(plane)];
   return fmt::format("{}   {} {:.1f} mm", count, "RLAPIS"[2 * int(plane) + (at > 0 ? 1 : 0)], std::abs(at));
 }
 
-void drawMarks(const PaneInput& pane, const Workspace& w, Plane plane) {
-  const Geometry& g = w.session.scan().volume->geometry;
+// At the lower left: the grey window while it is dragged, else what the mouse points at.
+void drawPointer(const PaneInput& pane, const Workspace& w, const SliceFrame& frame) {
+  const bool drags = pane.button == ImGuiMouseButton_Right;
+  if (!drags && !pane.hovered) return;
+  const std::string text = drags ? windowText(w.session.scan(), w.view.grey) : pointerText(w, frame, pane);
+  const float u = unit();
+  const ImVec2 place{pane.corner.x + 12 * u, pane.corner.y + pane.size.y - 22 * u};
+  const ImVec2 size = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, text.c_str());
+  if (text.empty()) return;
+  ImGui::GetWindowDrawList()->AddRectFilled({place.x - 4 * u, place.y - 2 * u},
+                                            {place.x + size.x + 4 * u, place.y + size.y + 2 * u},
+                                            IM_COL32(6, 7, 9, 190), 3 * u);
+  shadedText(place, kText, text);
+}
+
+void drawMarks(const PaneInput& pane, const Workspace& w, const ShownSlice& shown) {
   const ViewFrame frame = w.viewFrame();
   const bool coarse =
-      w.view.layer == SliceLayer::classified && w.session.classifiedIsCoarse() && !isAnswered(w, plane);
-  drawEdges(pane, frame, frameOf(w.view, plane, g, pane));
-  paneTitle(pane, tr(planeName(frame, plane)), colourOf(plane),
-            placeText(w, frame, plane) + (coarse ? std::string("   ") + tr("coarse") : ""));
-  scaleBar(pane, 1 / frameOf(w.view, plane, g, pane).millimetresPerPixel());
+      shown.layer == SliceLayer::classified && w.session.classifiedIsCoarse() && !isAnswered(w, shown.plane);
+  const SliceFrame slice = frameOf(w.view, shown.plane, w.session.scan().volume->geometry, pane);
+  drawEdges(pane, frame, slice);
+  paneTitle(pane, nameOf(frame, shown).c_str(), colourOf(shown.plane),
+            placeText(w, frame, shown.plane) + (coarse ? std::string("   ") + tr("coarse") : ""));
+  drawPointer(pane, w, slice);
+  scaleBar(pane, 1 / slice.millimetresPerPixel());
 }
 
 }  // namespace
 
-void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans,
-                     Workspace& workspace, const PaneInput& pane) {
+void drawSliceWindow(SliceWindow& window, const ShownSlice& shown, std::optional<SliceView>& view,
+                     GpuScans& scans, Workspace& workspace, const PaneInput& pane) {
   if (!workspace.session.hasScan()) {
-    paneTitle(pane, tr(planeName({}, plane)), colourOf(plane), "");
+    paneTitle(pane, nameOf({}, shown).c_str(), colourOf(shown.plane), "");
     return;
   }
   const Geometry& geometry = workspace.session.scan().volume->geometry;
   const auto seen = [&] {
-    return ToolPane{pane, ToolPane::Slice{plane, frameOf(workspace.view, plane, geometry, pane)}};
+    return ToolPane{pane, ToolPane::Slice{shown.plane, frameOf(workspace.view, shown.plane, geometry, pane)}};
   };
+  if (pane.hovered) workspace.view.pointedAt = shown.plane;
   useTool(window.tools, workspace, seen());
-  refresh(window, plane, view, scans, workspace, glm::max(glm::ivec2(pane.size), glm::ivec2(1)));
-  showTexture(pane, window.picture);
+  if (isThere(workspace, shown.layer) || !shown.compared) {
+    refreshSlice(window, shown, view, scans, workspace, glm::max(glm::ivec2(pane.size), glm::ivec2(1)));
+    showTexture(pane, window.picture);
+  } else {
+    paneText(pane, tr("Not made yet"));
+  }
+  if (!shown.compared) drawOverlays(window, workspace, seen().slice->frame, pane);
+  drawMeasuresInSlice(pane, workspace, seen().slice->frame);
   drawTool(window.tools, workspace, seen());
-  drawMarks(pane, workspace, plane);
+  drawMarks(pane, workspace, shown);
 }
 
 }  // namespace sonoskin::ui

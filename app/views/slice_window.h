@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/views/mesh_contour.h"
 #include "app/views/pane.h"
 #include "app/views/space_window.h"
 #include "app/views/tools.h"
@@ -11,18 +12,27 @@
 
 namespace sonoskin::ui {
 
+// ShownSlice: what a slice view is of.
+//   compared  with others: its layer alone, without anything over it
+struct ShownSlice {
+  Plane plane = Plane::axial;
+  SliceLayer layer = SliceLayer::raw;
+  bool compared = false;
+};
+
 // SliceWindow: one slice. It keeps its picture and draws a new one only when what it shows has changed.
 struct SliceWindow {
   gl::Framebuffer picture;
   Key drawn;  // of what the picture shows
   ObjectsSeen<4> from;
+  MeshContour contour;
   ToolState tools;
 };
 
 // drawSliceWindow: the picture with its marks; turns what the mouse did into cross-hair, pan, zoom and
 // window.
-//   view  shared by the three slices; made when first needed
-void drawSliceWindow(SliceWindow& window, Plane plane, std::optional<SliceView>& view, GpuScans& scans,
-                     Workspace& workspace, const PaneInput& pane);
+//   view  shared by all slices; made when first needed
+void drawSliceWindow(SliceWindow& window, const ShownSlice& shown, std::optional<SliceView>& view,
+                     GpuScans& scans, Workspace& workspace, const PaneInput& pane);
 
 }  // namespace sonoskin::ui

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "app/views/box_lines.h"
+#include "app/views/cross_hair_marks.h"
+#include "app/views/measure_marks.h"
 #include "app/views/skin_marks.h"
 #include "app/views/space_picture.h"
 #include "app/views/use_tool.h"
@@ -60,6 +62,11 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) drawBoxLines(pane, workspace);
   if (skin) drawSkinMarks(window.tools, workspace, pane);
+  if (view.crossHairInSpace) {
+    window.sight.update(workspace, window.state.moving);
+    drawCrossHairInSpace(pane, workspace, window.sight.hidden);
+  }
+  drawMeasuresInSpace(pane, workspace);
   drawTool(window.tools, workspace, {pane});
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawCube(window.cube, frame, pane, view.camera);

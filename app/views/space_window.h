@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "app/views/cross_hair_marks.h"
 #include "app/views/orientation_cube.h"
 #include "app/views/pane.h"
 #include "app/views/picture_state.h"
@@ -34,6 +35,7 @@ struct SpaceWindow {
   PartsScene parts;
   ToolState tools;
   OrientationCube cube;
+  CrossHairSight sight;
   gl::Framebuffer picture;
   PictureState state;
   Key drawn;                      // of what the picture shows

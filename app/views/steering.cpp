@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "app/widgets/theme.h"
+#include "app/workspace/cursor_steps.h"
 
 namespace sonoskin::ui {
 namespace {
-
-// The cursor stays inside the volume and, across the slice, on a voxel's centre.
-glm::dvec3 keepInside(const Geometry& geometry, const glm::dvec3& world) {
-  const glm::dvec3 index = glm::clamp(geometry.toIndex(world), glm::dvec3(0), glm::dvec3(geometry.dims - 1));
-  return geometry.toWorld(glm::round(index));
-}
 
 void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& turns, const PaneInput& pane) {
   SlicePose& pose = view.slices[std::size_t(plane)];
@@ -20,16 +15,15 @@ void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& t
     turns += double(pane.wheel);
     const double whole = std::trunc(turns);
     turns -= whole;
-    glm::dvec3 index = geometry.toIndex(view.cursor);
-    const SliceAxes& axes = view.planes[plane];
-    index[axes.across] += axes.acrossGrows ? whole : -whole;
-    view.cursor = keepInside(geometry, geometry.toWorld(index));
+    stepCursor(view, geometry, plane, {0, 0, int(whole)});
     return;
   }
   // The point under the mouse stays where it is.
   const glm::dvec2 fromMiddle = glm::dvec2(pane.mouse) - 0.5 * glm::dvec2(pane.size);
   const double before = frameOf(view, plane, geometry, pane).millimetresPerPixel();
-  pose.zoom = std::clamp(pose.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
+  for (SlicePose& other : view.slices)
+    if (&other == &pose || view.linkedZoom)
+      other.zoom = std::clamp(other.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
   const double after = frameOf(view, plane, geometry, pane).millimetresPerPixel();
   pose.pan += fromMiddle * (after - before);
 }
@@ -57,7 +51,7 @@ void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& 
   } else if (pane.button == ImGuiMouseButton_Middle || pane.shift) {
     view.slices[std::size_t(plane)].pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
   } else {
-    view.cursor = keepInside(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
+    view.cursor = onVoxel(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
   }
 }
 

@@ -44,7 +44,12 @@ struct ToolState {
     bool divider = false, turning = false;
   } lamp;
   std::vector<glm::vec2> outline;  // of the lasso, from the view's upper left corner
-  double turns = 0;                // of the wheel in a slice, not yet a whole slice
+  // Of measures: the mark that is dragged.
+  struct Mark {
+    std::size_t measure = 0, number = 0;
+  };
+  std::optional<Mark> mark;
+  double turns = 0;  // of the wheel in a slice, not yet a whole slice
 };
 
 // use...: one frame of a tool that can be used; those that keep the button set `held`.
@@ -65,6 +70,9 @@ void drawEraser(const ToolState& state, const Workspace& workspace, const ToolPa
 PaneInput useLasso(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void letGoLasso(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void drawLasso(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+// Clicks and drags set marks, or move those that are there.
+PaneInput useMeasureTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
+void letGoMeasureTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 
 // A click takes the part below the mouse away or brings it back, with Shift it leaves that part alone; a line drawn with
 // Ctrl splits the part that it crosses.

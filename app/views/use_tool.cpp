@@ -34,8 +34,8 @@ PaneInput steerAlone(ToolState&, Workspace&, const ToolPane& pane) { return pane
 
 constexpr ToolInPane kNothing{}, kSteering{steerAlone}, kLandmark{useLandmarkTool},
     kEraser{useEraser, letGoEraser, drawEraser}, kLasso{useLasso, letGoLasso, drawLasso},
-    kParts{usePartTool, letGoPartTool, drawPartTool}, kLamp{useLampTool, letGoLampTool},
-    kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
+    kMeasure{useMeasureTool, letGoMeasureTool}, kParts{usePartTool, letGoPartTool, drawPartTool},
+    kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
 
 // clang-format off
 constexpr std::array<ToolRow, kTools.size()> kRows{{
@@ -43,6 +43,7 @@ constexpr std::array<ToolRow, kTools.size()> kRows{{
     {Tool::landmark,  true, wantsSkin,  kNothing,  kLandmark},
     {Tool::eraser,    true, always,     kEraser,   kNothing,  true},
     {Tool::lasso,     true, always,     kLasso,     kLasso,    true},
+    {Tool::measure,   true, always,     kMeasure,  kNothing,  true},
     {Tool::parts,    false, showsParts, kNothing,  kParts,    true},
     {Tool::lamp,     false, wantsSkin,  kNothing,  kLamp},
     {Tool::cropBox,  false, showsBox,   kBox,      kNothing},

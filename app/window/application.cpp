@@ -15,7 +15,9 @@
 #include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/workspace/commands.h"
+#include "app/workspace/document_view.h"
 #include "app/workspace/session_actions.h"
+#include "app/workspace/shown_layers.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -116,7 +118,7 @@ void Application::updateDocument() {
       workspace_.toasts.add(entry.sentence, false);
   }
   const ViewState& view = workspace_.view;
-  session.lookAt(view.layer == SliceLayer::classified ? std::optional(view.cursor) : std::nullopt);
+  session.lookAt(isInSlices(workspace_, SliceLayer::classified) ? std::optional(view.cursor) : std::nullopt);
   if (auto choice = session.takeChoice()) workspace_.choice = std::move(choice);
   playWants_ = playOn(workspace_);
   const Scan& scan = session.scan();
@@ -126,7 +128,7 @@ void Application::updateDocument() {
     workspace_.play = {};
     workspace_.view.content = SpaceContent::volume;
     workspace_.typedSpacing = scan.volume->geometry.spacing;
-    workspace_.view.orientation = {};
+    beginDocument(workspace_.view);
     resetView(workspace_.view, scan, session.beam());
   }
   takeInOpened(workspace_);

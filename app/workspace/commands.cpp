@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <string_view>
 #include <vector>
@@ -16,11 +17,27 @@ namespace {
 
 std::vector<Command> allCommands() {
   std::vector<Command> all;
-  for (const auto table : {fileCommands, editCommands, viewCommands, planeCommands, lookCommands,
-                           stepCommands, regionCommands, surfaceCommands, helpCommands})
+  for (const auto table :
+       {fileCommands, editCommands, viewCommands, layoutCommands, planeCommands, sliceCommands,
+        measureCommands, lookCommands, stepCommands, regionCommands, surfaceCommands, helpCommands})
     all.insert(all.end(), table().begin(), table().end());
   return all;
 }
+
+// KeyName: a key that is no letter, as people call it.
+struct KeyName {
+  int key;
+  const char* name;
+};
+constexpr std::array<KeyName, 9> kKeyNames{{{GLFW_KEY_ENTER, "Enter"},
+                                            {GLFW_KEY_ESCAPE, "Esc"},
+                                            {GLFW_KEY_DELETE, "Del"},
+                                            {GLFW_KEY_LEFT, "←"},
+                                            {GLFW_KEY_RIGHT, "→"},
+                                            {GLFW_KEY_UP, "↑"},
+                                            {GLFW_KEY_DOWN, "↓"},
+                                            {GLFW_KEY_PAGE_UP, "PgUp"},
+                                            {GLFW_KEY_PAGE_DOWN, "PgDn"}}};
 
 }  // namespace
 
@@ -62,16 +79,11 @@ std::string shortcutText(const Shortcut& shortcut) {
   if (shortcut.key == 0) return {};
   std::string text = shortcut.control ? "Ctrl+" : "";
   if (shortcut.shift) text += "Shift+";
-  switch (shortcut.key) {
-    case GLFW_KEY_ENTER:
-      return text + "Enter";
-    case GLFW_KEY_ESCAPE:
-      return text + "Esc";
-    case GLFW_KEY_F12:
-      return text + "F12";
-    default:
-      return text + static_cast<char>(shortcut.key);  // letters and digits are their own codes
-  }
+  if (const auto named = std::ranges::find(kKeyNames, shortcut.key, &KeyName::key); named != kKeyNames.end())
+    return text + named->name;
+  if (shortcut.key >= GLFW_KEY_F1 && shortcut.key <= GLFW_KEY_F25)
+    return text + "F" + std::to_string(shortcut.key - GLFW_KEY_F1 + 1);
+  return text + static_cast<char>(shortcut.key);  // letters and digits are their own codes
 }
 
 }  // namespace sonoskin

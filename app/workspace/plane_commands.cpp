@@ -57,9 +57,9 @@ const Command kCommands[] = {
    isChoice<PlanesChoice::patient>, false, kPlanesMenu},
   {"planes.scanner", "Scanner: A, B, C", Menu::view, {}, choose<PlanesChoice::scanner>, nullptr,
    isChoice<PlanesChoice::scanner>, false, kPlanesMenu},
-  {"planes.turnAxial", "Turn in axial (A)", Menu::view, {}, turn<Plane::axial>, hasScan, nullptr, false, kTurn},
-  {"planes.turnCoronal", "Turn in coronal (C)", Menu::view, {}, turn<Plane::coronal>, hasScan, nullptr, false, kTurn},
-  {"planes.turnSagittal", "Turn in sagittal (B)", Menu::view, {}, turn<Plane::sagittal>, hasScan, nullptr, false, kTurn},
+  {"planes.turnAxial", "Clockwise in axial (A)", Menu::view, {}, turn<Plane::axial>, hasScan, nullptr, false, kTurn},
+  {"planes.turnCoronal", "Clockwise in coronal (C)", Menu::view, {}, turn<Plane::coronal>, hasScan, nullptr, false, kTurn},
+  {"planes.turnSagittal", "Clockwise in sagittal (B)", Menu::view, {}, turn<Plane::sagittal>, hasScan, nullptr, false, kTurn},
   {"planes.turnBack", "Not turned", Menu::view, {}, turnBack, isTurned, nullptr, false, kTurn},
   {"planes.mirror", "Mirror the scan: left and right (scan.mirror)", Menu::view, {}, mirror, hasScan, isMirrored, true, kTurn},
 };

@@ -29,6 +29,22 @@ double scaleIn(const json& root) {
   return scale > 0 ? std::clamp(scale, kLeastScale, kMostScale) : 0;
 }
 
+constexpr std::array<const char*, 3> kPlaneNames{"sagittal", "coronal", "axial"};
+
+LayoutState readLayout(const json& root) {
+  LayoutState layout;
+  layout.layout = named<Layout>(root.value("layout", std::string()));
+  const auto share = [&](const char* name, float standard) {
+    return float(std::clamp(root.value(name, double(standard)), double(kLeastShare), double(kMostShare)));
+  };
+  layout.across = share("dividerAcross", layout.across);
+  layout.down = share("dividerDown", layout.down);
+  const std::string compared = root.value("comparedPlane", std::string());
+  for (const Plane plane : kPlanes)
+    if (compared == kPlaneNames[std::size_t(plane)]) layout.compared = plane;
+  return layout;
+}
+
 }  // namespace
 
 void Settings::noteOpened(const fs::path& file) {
@@ -68,6 +84,7 @@ Settings readSettings(const fs::path& file) {
     settings.skinQuality = named<SkinQualityChoice>(root.value("skinQuality", std::string()));
     settings.appearance = named<Appearance>(root.value("appearance", std::string()));
     settings.scale = scaleIn(root);
+    settings.layout = readLayout(root);
   } catch (const json::exception&) {
     return {};
   }
@@ -85,7 +102,11 @@ void writeSettings(const fs::path& file, const Settings& settings) {
                   {"height", settings.height},
                   {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]},
                   {"appearance", enumNames(Appearance{})[std::size_t(settings.appearance)]},
-                  {"scale", settings.scale}};
+                  {"scale", settings.scale},
+                  {"layout", enumNames(Layout{})[std::size_t(settings.layout.layout)]},
+                  {"dividerAcross", settings.layout.across},
+                  {"dividerDown", settings.layout.down},
+                  {"comparedPlane", kPlaneNames[std::size_t(settings.layout.compared)]}};
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   try {
     writePrivately(file, text);

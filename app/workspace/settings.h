@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/widgets/appearance.h"
+#include "app/workspace/layout_state.h"
 
 namespace sonoskin {
 
@@ -24,6 +25,7 @@ struct Settings {
   SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
   Appearance appearance = Appearance::dark;
   double scale = 0;  // of texts and widgets, kLeastScale to kMostScale; 0: as the screen has it
+  LayoutState layout;
 
   // noteOpened: puts a volume at the head of the recent ones.
   void noteOpened(const std::filesystem::path& file);

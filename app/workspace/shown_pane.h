@@ -7,9 +7,11 @@
 namespace sonoskin {
 
 // ShownPane: a view that was drawn in this frame, and where, in pixels of the screen.
+//   compared  a slice whose layer is given, beside others
 struct ShownPane {
   Pane pane;
   glm::vec2 corner, size;
+  bool compared = false;
 };
 
 }  // namespace sonoskin

@@ -15,6 +15,7 @@ void putAway(ViewState& view, Tool tool) {
   for (Tool* chosen : {&view.sliceTool, &view.spaceTool})
     if (*chosen == tool) *chosen = Tool::crossHair;
   if (tool == Tool::parts) view.parts = false;
+  if (tool == Tool::measure) view.measureBegun.reset();
 }
 
 }  // namespace sonoskin

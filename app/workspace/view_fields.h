@@ -73,6 +73,13 @@ void fields(F&& f, O& o) {
 }
 
 template <class F, class O>
+requires OptionsOf<O, Measure>
+void fields(F&& f, O& o) {
+  f("kind", o.kind);
+  f("marks", o.marks);
+}
+
+template <class F, class O>
 requires OptionsOf<O, ViewState>
 void fields(F&& f, O& o) {
   f("cursor", o.cursor);
@@ -82,6 +89,12 @@ void fields(F&& f, O& o) {
   f("cropBox", o.cropBox);
   f("slices", o.slices);
   f("orientation", o.orientation);
+  f("measures", o.measures);
+  f("linkedZoom", o.linkedZoom);
+  f("classifiedTint", o.classifiedTint);
+  f("slicePoints", o.slicePoints);
+  f("meshContour", o.meshContour);
+  f("crossHairInSpace", o.crossHairInSpace);
   f("content", o.content);
   f("volumeStyle", o.volumeStyle);
   f("volumeLayer", o.volumeLayer);

@@ -14,15 +14,6 @@ bool isUpright(const Camera& camera) {
          std::abs(glm::dot(camera.forward, camera.up)) < kClose;
 }
 
-// Whether a matrix turns, and does nothing else.
-bool isTurn(const glm::dmat3& m) {
-  const glm::dmat3 product = glm::transpose(m) * m;
-  double off = 0;
-  for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) off = std::max(off, std::abs(product[c][r] - (c == r ? 1.0 : 0.0)));
-  return off < 1e-6;
-}
-
 }  // namespace
 
 std::string writeViews(const ViewState& view) { return view_json::write(view).dump(); }
@@ -32,7 +23,8 @@ void readViews(const std::string& json, ViewState& view) {
   const Orientation turned = view.orientation;
   view_json::read(view_json::Json::parse(json, nullptr, false), view);
   if (!isUpright(view.camera)) view.camera = before;
-  if (!isTurn(view.orientation.turn)) view.orientation = turned;
+  if (!isQuarterTurn(view.orientation.turn)) view.orientation = turned;
+  std::erase_if(view.measures, [](const Measure& measure) { return !isComplete(measure); });
 }
 
 }  // namespace sonoskin

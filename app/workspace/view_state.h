@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/measures.h"
 #include "app/document/view_planes.h"
 #include "app/workspace/tool.h"
 #include "core/pipeline/parameters.h"
@@ -78,6 +79,16 @@ struct ViewState {
   std::array<SlicePose, 3> slices;  // by Plane
   Orientation orientation;          // of this document, as the person has it
   PlaneAxes planes;                 // what follows from it and the scan; the views bring it up to date
+  Plane pointedAt = Plane::axial;   // whose slice the mouse was over last: arrow keys are its
+  bool linkedZoom = false;          // zooming one slice zooms the others
+  bool classifiedTint = false;      // the classified volume in colour over raw slices
+  bool slicePoints = false;         // the surface points that lie in a slice
+  bool meshContour = true;          // where the surface meets a slice
+  bool crossHairInSpace = true;     // its place and lines in 3D
+
+  std::vector<Measure> measures;
+  std::optional<Measure> measureBegun;  // that is being set
+  MeasureKind measuring = MeasureKind::distance;
 
   SpaceContent content = SpaceContent::volume;
   VolumeStyle volumeStyle = VolumeStyle::surface;

@@ -1,4 +1,4 @@
-// One slice of a volume, sRGB-encoded. Variants: OVERLAY, ERASED.
+// One slice of a volume, sRGB-encoded. Variants: OVERLAY, TINT, ERASED.
 in vec2 uv;
 
 uniform ivec2 size;                                // of the picture, pixels
@@ -23,6 +23,14 @@ uniform vec2 overlayWindow;
 uniform vec3 overlayColour;
 uniform float overlayOpacity;
 #endif
+#ifdef TINT
+uniform sampler3D tint;
+uniform vec3 tintCorner, tintRight, tintDown;
+uniform ivec3 tintDims;
+uniform vec2 tintWindow;
+uniform vec3 tintColour;
+uniform float tintOpacity;
+#endif
 
 layout(location = 0) out vec4 colour;
 
@@ -39,6 +47,12 @@ void main() {
   vec3 shown = vec3(clamp(value * window.x + window.y, 0.0, 1.0));
   bool inBox = all(greaterThan(pixel, box.xy)) && all(lessThan(pixel, box.zw));
   shown = contains(index, volumeDims) ? shown * (inBox ? 1.0 : 0.4) : outsideColour;
+#ifdef TINT
+  vec3 tinted = tintCorner + pixel.x * tintRight + pixel.y * tintDown;
+  float strength = texture(tint, (tinted + 0.5) / vec3(tintDims)).r * tintWindow.x + tintWindow.y;
+  strength = contains(tinted, tintDims) ? clamp(strength, 0.0, 1.0) * tintOpacity : 0.0;
+  shown = mix(shown, tintColour, strength);
+#endif
 #ifdef OVERLAY
   vec3 place = overlayCorner + pixel.x * overlayRight + pixel.y * overlayDown;
   float over = texture(overlay, (place + 0.5) / vec3(overlayDims)).r * overlayWindow.x + overlayWindow.y;

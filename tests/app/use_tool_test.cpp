@@ -201,6 +201,50 @@ TEST_F(UseTool, EscapeEndsAStroke) {
   EXPECT_TRUE(workspace.session.canUndo()) << "what was erased is a step";
 }
 
+// Two clicks measure a distance, a drag does as well; marks can be moved; the cross-hair stays.
+TEST_F(UseTool, MarksAreSetByClicksAndDrags) {
+  view.sliceTool = Tool::measure;
+  const glm::dvec3 cursor = view.cursor;
+  const double mm = pane(PaneKind::slice).slice->frame.millimetresPerPixel();
+  const auto click = [&](const glm::vec2& at) {
+    input.mouse = at;
+    press(PaneKind::slice);
+    release(PaneKind::slice);
+  };
+  click({150, 200});
+  EXPECT_TRUE(view.measureBegun);
+  EXPECT_TRUE(view.measures.empty());
+  click({230, 260});
+  ASSERT_EQ(view.measures.size(), 1u);
+  EXPECT_NEAR(valueOf(view.measures[0]), 100 * mm, 1e-6);
+
+  input.mouse = {100, 100};
+  press(PaneKind::slice);
+  moveTo(PaneKind::slice, {160, 180});
+  release(PaneKind::slice);
+  ASSERT_EQ(view.measures.size(), 2u) << "a drag";
+  EXPECT_NEAR(valueOf(view.measures[1]), 100 * mm, 1e-6);
+
+  input.mouse = {231, 259};
+  press(PaneKind::slice);
+  moveTo(PaneKind::slice, {350, 200});
+  release(PaneKind::slice);
+  EXPECT_NEAR(valueOf(view.measures[0]), 200 * mm, 1e-6) << "the mark was moved";
+  EXPECT_EQ(view.measures.size(), 2u);
+
+  view.measuring = MeasureKind::area;
+  for (const glm::vec2 at : {glm::vec2(50, 300), {150, 300}, {150, 350}, {50, 350}, {51, 301}}) click(at);
+  ASSERT_EQ(view.measures.size(), 3u) << "closed at its first mark";
+  EXPECT_NEAR(valueOf(view.measures[2]), 5000 * mm * mm, 1e-6);
+  EXPECT_EQ(view.cursor, cursor);
+
+  click({300, 300});
+  ASSERT_TRUE(view.measureBegun);
+  command("surface.cancel").run(workspace);
+  EXPECT_FALSE(view.measureBegun) << "Escape gives up what was begun";
+  EXPECT_EQ(view.sliceTool, Tool::crossHair);
+}
+
 // A line that was begun and given up splits nothing, at once or when parts are shown again.
 TEST_F(UseTool, EscapeGivesUpALineAcrossParts) {
   reconstruct();

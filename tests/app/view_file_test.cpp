@@ -26,11 +26,15 @@ TEST(ViewFile, ReadsBackWhatItWrote) {
   view.orientation.planes = PlanesChoice::scanner;
   view.orientation.turn = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1);
   view.maximised = Pane::coronal;
+  view.measures = {{MeasureKind::angle, {{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}},
+                   {MeasureKind::distance, {{0, 0, 0}, {0, 3, 4}}}};
+  view.slicePoints = true;
   ViewState read;
   readViews(writeViews(view), read);
   EXPECT_EQ(writeViews(read), writeViews(view));
   EXPECT_EQ(read.cursor, view.cursor);
   EXPECT_EQ(read.maximised, Pane::coronal);
+  EXPECT_EQ(read.measures, view.measures);
   EXPECT_EQ(read.skin.kept->skin.melanin, 0.011);
   EXPECT_EQ(read.camera.forward, view.camera.forward);
   view.maximised.reset();
@@ -50,6 +54,10 @@ TEST(ViewFile, WhatCannotBeUsedIsLeft) {
   readViews(R"({"grey": {"width": -3}, "brushRadius": 1e300, "cursor": [1e300, 0, 0],
                 "orientation": {"turn": [[5, 0, 0], [0, 1, 0], [0, 0, 1]]}, "camera": {"forward": [0, 0, 0], "distance": 7}})",
             view);
+  readViews(
+      R"({"measures": [{"kind": "area", "marks": [[0, 0, 0]]}, {"kind": "distance", "marks": [[0, 0, 0], [0, 0, 2]]}, 7]})",
+      view);
+  EXPECT_EQ(view.measures.size(), 1u) << "those without all of their marks are none";
   EXPECT_GT(view.grey.width, 0);
   EXPECT_EQ(view.brushRadius, kMostBrush);
   EXPECT_LE(view.cursor.x, 1e6);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "render/slice_frame.h"
@@ -138,12 +139,20 @@ TEST(SliceAxes, AQuarterTurnIsClockwiseInItsPlaneAndFourAreNone) {
         const Seen turned = seen(g, frame, plane);
         expectNear(turned.right, -still.down);  // what was on top is on the right
         expectNear(turned.down, still.right);
-        EXPECT_NEAR(glm::determinant(frame.turn), 1, 1e-12);
+        EXPECT_TRUE(isQuarterTurn(frame.turn));
         EXPECT_EQ(planeAxes(g, frame)[plane].across, before[plane].across);
         for (int n = 0; n < 3; ++n) frame.turn = turnedInPlane(frame, plane);
         EXPECT_EQ(frame.turn, first.turn);
         EXPECT_EQ(planeAxes(g, frame), before);
       }
+}
+
+TEST(SliceAxes, OnlyRotationsByQuartersAreTurns) {
+  EXPECT_TRUE(isQuarterTurn(glm::dmat3(1)));
+  EXPECT_FALSE(isQuarterTurn(glm::dmat3(-1))) << "a mirror";
+  EXPECT_FALSE(isQuarterTurn(glm::dmat3(2)));
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  EXPECT_FALSE(isQuarterTurn(glm::dmat3(glm::dvec3(c, s, 0), glm::dvec3(-s, c, 0), glm::dvec3(0, 0, 1))));
 }
 
 }  // namespace

@@ -98,6 +98,30 @@ TEST_F(SliceViewTest, CoarseOverlayLiesWhereItIsInTheWorld) {
   EXPECT_EQ(pixel(image, 6, 10).g, 0);
 }
 
+// Both lie over the grey, and the overlay over the tint.
+TEST_F(SliceViewTest, ATintLiesBelowTheOverlay) {
+  GpuVolume volume, tint, overlay;
+  volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.4f)));
+  Volume<float> some(geometry());
+  some.at(5, 5, 3) = some.at(6, 5, 3) = 1;
+  tint.set(std::make_shared<Volume<float>>(some));
+  Volume<std::uint8_t> one(geometry());
+  one.at(6, 5, 3) = 255;
+  overlay.set(std::make_shared<Volume<std::uint8_t>>(one));
+  const Geometry g = geometry();
+  const SliceCamera camera{.plane = Plane::axial, .cursor = g.toWorld({0, 0, 3})};
+  SliceViewInput input{.frame = g, .camera = camera, .volume = volume, .overlay = &overlay};
+  input.overlayColour = {1, 0, 0};
+  input.crossHair = false;
+  input.tint = &tint;
+  input.tintColour = {0, 0, 1};
+  input.tintOpacity = 1;
+  const Image image = draw(input, {24, 16});
+  EXPECT_EQ(pixel(image, 5, 5), glm::ivec3(0, 0, 255));
+  EXPECT_EQ(pixel(image, 6, 5), glm::ivec3(255, 0, 0));
+  EXPECT_EQ(pixel(image, 9, 5), glm::ivec3(102));
+}
+
 TEST_F(SliceViewTest, ErasedVoxelsAreTintedAndOthersAreNot) {
   GpuVolume volume;
   volume.set(std::make_shared<Volume<float>>(Volume<float>(geometry(), 0.4f)));

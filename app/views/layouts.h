@@ -1,0 +1,28 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+
+#include "app/workspace/layout_state.h"
+#include "app/workspace/view_state.h"
+
+namespace sonoskin::ui {
+
+// Cell: a view of a layout, and where it lies on the screen.
+//   layer  of a slice in the layout `compare`; none: as the view state has it
+struct Cell {
+  Pane pane = Pane::axial;
+  ImVec2 corner, size;
+  Plane plane = Plane::axial;  // of a slice
+  std::optional<SliceLayer> layer{};
+};
+using Cells = std::array<Cell, 4>;
+
+// cellsOf: the four views of a layout, row by row, in an area of the screen, with room for the dividers between them.
+Cells cellsOf(const LayoutState& layout, ImVec2 corner, ImVec2 area);
+
+// drawDividers: between the cells of an area; dragged they move, double clicked they go back to the middle.
+void drawDividers(LayoutState& layout, ImVec2 corner, ImVec2 area);
+
+}  // namespace sonoskin::ui

@@ -1,0 +1,52 @@
+// Which views share the window.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/workspace/command_tables.h"
+#include "app/workspace/workspace.h"
+
+namespace sonoskin {
+namespace {
+
+using W = Workspace;
+
+void setLayout(W& w, Layout layout) {
+  w.settings.layout.layout = layout;
+  w.view.maximised.reset();
+}
+
+// The classified volume is compared as a surface too.
+void compare(W& w) {
+  setLayout(w, Layout::compare);
+  w.view.content = SpaceContent::volume;
+  w.view.volumeLayer = VolumeLayer::classified;
+  w.view.volumeStyle = VolumeStyle::surface;
+}
+
+bool compares(const W& w) { return w.settings.layout.layout == Layout::compare; }
+
+void comparePlane(W& w) {
+  Plane& plane = w.settings.layout.compared;
+  plane = plane == Plane::axial ? Plane::sagittal : plane == Plane::sagittal ? Plane::coronal : Plane::axial;
+}
+
+constexpr const char* kLayout = "Layout";
+
+// clang-format off
+const Command kCommands[] = {
+  {"layout.fourUp", "Three planes and 3D", Menu::view, key(GLFW_KEY_F2), [](W& w) { setLayout(w, Layout::fourUp); },
+   nullptr, [](const W& w) { return !compares(w); }, true, kLayout},
+  {"layout.compare", "Compare raw, classified, thinned and surface", Menu::view, key(GLFW_KEY_F3), compare, nullptr,
+   compares, false, kLayout},
+  {"layout.comparePlane", "Compare the next plane", Menu::view, {GLFW_KEY_F3, false, true}, comparePlane, compares, nullptr,
+   false, kLayout},
+  {"layout.middle", "Dividers to the middle", Menu::view, {},
+   [](W& w) { w.settings.layout.across = w.settings.layout.down = 0.5f; }, nullptr, nullptr, true, kLayout},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Command> layoutCommands() { return kCommands; }
+
+}  // namespace sonoskin

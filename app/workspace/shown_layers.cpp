@@ -1,0 +1,15 @@
+#include "app/workspace/shown_layers.h"
+
+#include "app/workspace/workspace.h"
+
+namespace sonoskin {
+
+bool isInSlices(const Workspace& w, SliceLayer layer) {
+  const ViewState& view = w.view;
+  const bool over = layer == SliceLayer::thinned      ? view.surfaceVoxels
+                    : layer == SliceLayer::classified ? view.classifiedTint
+                                                      : false;
+  return over || view.layer == layer || w.settings.layout.layout == Layout::compare;
+}
+
+}  // namespace sonoskin
