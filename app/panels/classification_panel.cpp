@@ -63,7 +63,7 @@ const std::map<std::string_view, const char*> kLabels{
 
 RowText rowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
   RowText text = useOf(parameters, "classification")(field);
-  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = tr(label->second);
+  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = label->second;
   if (field == "isoValue" && parameters.classification.isoValue == 0) {
     text.shown = tr("auto");
     const Results& results = workspace.session.results();

@@ -39,7 +39,7 @@ constexpr std::array<MouseLine, 27> kMouse{{
     {"", "Left on the dividing line", "move it, where two pictures are compared"},
     {"Any view", "Double click", "alone and back"},
     {"Sliders", "Double click or right", "default"},
-    {"", "Ctrl+click", "type a value"},
+    {"", "Click on the number", "type it"},
     {"Window", "Drop a file", "open it"},
 }};
 

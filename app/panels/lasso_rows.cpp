@@ -17,7 +17,7 @@ void drawLassoRows(Workspace& workspace) {
   sentenceText(tr("Draw around it in a slice or in 3D; Ctrl brings back, Shift keeps the inside alone."));
   const DisabledIf away(!isChosen(workspace.view, Tool::lasso));
   if (!beginFields("lasso")) return;
-  beginRow(tr("Depth"));
+  beginRow("Depth");
   const double least = 0;
   ImGui::SliderScalar("##lassoDepth", ImGuiDataType_Double, &workspace.view.lassoDepth, &least, &kMostDepth,
                       workspace.view.lassoDepth > 0 ? "%.0f mm" : tr("all"), ImGuiSliderFlags_AlwaysClamp);

@@ -69,6 +69,7 @@ void drawMenu(Menu menu, Workspace& workspace) {
 void drawMenuBar(Workspace& workspace) {
   if (!ImGui::BeginMainMenuBar()) return;
   const auto asked = std::exchange(workspace.menuAsked, std::nullopt);
+  std::size_t shown = 0;  // that is open
   for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
     if (asked == static_cast<Menu>(i)) openMenu(tr(kMenuTitles[i]));
     const bool open = ImGui::BeginMenu(tr(kMenuTitles[i]));
@@ -76,7 +77,11 @@ void drawMenuBar(Workspace& workspace) {
     if (!open) continue;
     drawMenu(static_cast<Menu>(i), workspace);
     ImGui::EndMenu();
+    shown = i;
   }
+  if (const int step = leavesMenu(); step != 0)
+    workspace.menuAsked =
+        static_cast<Menu>((shown + kMenuTitles.size() + std::size_t(step)) % kMenuTitles.size());
   ImGui::EndMainMenuBar();
 }
 

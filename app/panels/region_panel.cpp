@@ -86,7 +86,7 @@ void drawBox(Workspace& workspace) {
 void drawRadius(Workspace& workspace) {
   const DisabledIf away(!isChosen(workspace.view, Tool::eraser));
   if (!beginFields("eraser")) return;
-  beginRow(tr("Radius"));
+  beginRow("Radius");
   const double least = kLeastBrush, most = kMostBrush;
   ImGui::SliderScalar("##radius", ImGuiDataType_Double, &workspace.view.brushRadius, &least, &most, "%.1f mm",
                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/panels/panels.h"
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -20,7 +21,7 @@ std::string valueAt(const Scan& scan, const glm::ivec3& v) {
 }
 
 void cell(const char* label, const std::string& value, const ImVec4& colour = colours().text) {
-  ImGui::TextDisabled("%s", label);
+  ImGui::TextDisabled("%s", tr(label));
   ImGui::SameLine(0, 5 * unit());
   ImGui::TextColored(colour, "%s", value.c_str());
   ImGui::SameLine(0, 22 * unit());
@@ -84,7 +85,7 @@ void drawStatusBar(Workspace& workspace) {
     drawResultCells(session);
     ImGui::NewLine();
   } else {
-    ImGui::TextDisabled("Drop a volume on the window, or press Ctrl+O");
+    ImGui::TextDisabled("%s", tr("Drop a volume on the window, or press Ctrl+O"));
   }
   ImGui::SetCursorPosY(top);
   drawMessagesButton(workspace.toasts.log);

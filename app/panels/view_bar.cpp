@@ -150,9 +150,9 @@ void drawLevel(ViewState& view, const Results& results) {
 
 void drawVolumeMore(ViewState& view, const Results& results) {
   if (beginFields("volume")) {
-    beginRow(tr("Shown"));
+    beginRow("Shown");
     choose("view.volumeLayer", kVolumes, view.volumeLayer);
-    beginRow(tr("Level"));
+    beginRow("Level");
     drawLevel(view, results);
     endFields();
   }

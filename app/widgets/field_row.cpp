@@ -39,7 +39,7 @@ void tooltip(const FieldRow& row, const std::string& facts) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-  std::string help(row.field.help);
+  std::string help = tr(std::string(row.field.help).c_str());
   if (!help.empty()) help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
   ImGui::TextUnformatted((help + ".").c_str());
   if (!row.text.found.empty()) ImGui::TextUnformatted(row.text.found.c_str());
@@ -65,7 +65,7 @@ void beginRow(const std::string& text, const std::string& symbol) {
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   const float symbolRoom = symbol.empty() ? 0 : symbolWidth(symbol) + 6 * unit();
-  labelText(text, ImGui::GetContentRegionAvail().x - symbolRoom);
+  labelText(tr(text.c_str()), ImGui::GetContentRegionAvail().x - symbolRoom);
   if (!symbol.empty()) {
     ImGui::SameLine(0, 6 * unit());
     drawSymbol(symbol);

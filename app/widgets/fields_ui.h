@@ -64,7 +64,7 @@ FieldsEdit editField(const FieldRow& row, E& value, E standard) {
   return edit;
 }
 
-// beginRow: the label of a row of one's own, with its symbol; the widget comes next, as wide as those
+// beginRow: the label, in English, of a row of one's own, with its symbol; the widget comes next, as wide as those
 // of other rows.
 void beginRow(const std::string& label, const std::string& symbol = {});
 

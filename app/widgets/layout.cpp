@@ -106,11 +106,11 @@ bool foldout(const char* title, const char* tooltip) {
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0, 0.5f));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(22 * unit(), ImGui::GetStyle().FramePadding.y));
-  if (ImGui::Button(title, {-1, 0})) *open = !*open;
+  if (ImGui::Button(tr(title), {-1, 0})) *open = !*open;
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
   noteWidget(std::string("foldout.") + title);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(tooltip));
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const float u = unit(), r = 3.5f * u, x = min.x + 9 * u, y = 0.5f * (min.y + max.y);
   const ImU32 colour = ImGui::GetColorU32(colours().faintText);

@@ -5,11 +5,12 @@
 
 namespace sonoskin::ui {
 
-bool listIsOpen() {
+int openLists() {
   const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
-  if (open.empty()) return false;
+  if (open.empty()) return 0;
   const ImGuiWindow* window = open.back().Window;
-  return !window || !(window->Flags & ImGuiWindowFlags_Modal);
+  const bool asks = window && (window->Flags & ImGuiWindowFlags_Modal);
+  return asks ? 0 : open.Size;
 }
 
 void closeList() {
@@ -23,6 +24,20 @@ void openMenu(const char* title) {
   ImGui::OpenPopup(title);
   context.NavDisableHighlight = false;
   context.NavDisableMouseHover = true;
+}
+
+// ImGui would close the menu and show no other.
+int leavesMenu() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiWindow* window = context.NavWindow;
+  const bool sideways = context.NavMoveDir == ImGuiDir_Left || context.NavMoveDir == ImGuiDir_Right;
+  if (!window || window->ParentWindow != context.CurrentWindow ||
+      !(window->Flags & ImGuiWindowFlags_ChildMenu))
+    return 0;
+  if (!sideways || !ImGui::NavMoveRequestButNoResultYet()) return 0;
+  const int step = context.NavMoveDir == ImGuiDir_Right ? 1 : -1;
+  ImGui::NavMoveRequestCancel();
+  return step;
 }
 
 void steerLists() {

@@ -4,12 +4,17 @@ namespace sonoskin::ui {
 
 // Menus, lists of choices and small windows that close when something else is clicked: not the questions that must be answered.
 
-// listIsOpen: whether one of them is. closeList: the last one that was opened.
-bool listIsOpen();
+// openLists: how many of them, and of questions below them, are open; 0 where none of them lies on top. closeList: the one on top.
+int openLists();
+inline bool listIsOpen() { return openLists() > 0; }
 void closeList();
 
 // openMenu: the menu of that title, with the keyboard on its first entry; inside the menu bar.
 void openMenu(const char* title);
+
+// leavesMenu: inside the menu bar, behind its menus: 1 or -1 where the keyboard leaves the one that is open for the next or the
+// one before, else 0.
+int leavesMenu();
 
 // steerLists: just before ImGui's frame, when it knows the keys: while one is open, arrows, Enter and the space bar steer it.
 void steerLists();

@@ -20,7 +20,7 @@ std::optional<Menu> menuOf(int key) {
 
 }  // namespace
 
-void MenuKeys::beforeFrame() { listOpen_ = ui::listIsOpen(); }
+void MenuKeys::beforeFrame() { lists_ = ui::openLists(); }
 
 // Whether Alt has gone up after it went down, with nothing but the mouse's way in between.
 bool MenuKeys::altAlone(const Event& event) {
@@ -34,8 +34,9 @@ bool MenuKeys::altAlone(const Event& event) {
 bool MenuKeys::take(const Event& event, Workspace& workspace) {
   const bool alone = altAlone(event);
   if (event.kind != Event::Kind::key) return false;
-  if (listOpen_) {
-    if (event.down && event.code == GLFW_KEY_ESCAPE) ui::closeList();
+  if (lists_ > 0) {
+    // ImGui may have closed it already.
+    if (event.down && event.code == GLFW_KEY_ESCAPE && ui::openLists() == lists_) ui::closeList();
     return true;
   }
   std::optional<Menu> asked;

@@ -17,7 +17,8 @@ class MenuKeys {
  private:
   bool altAlone(const Event& event);
 
-  bool listOpen_ = false, alt_ = false;
+  int lists_ = 0;  // open before the frame
+  bool alt_ = false;
 };
 
 }  // namespace sonoskin

@@ -11,7 +11,7 @@ struct Workspace;
 enum class Menu { file, edit, view, steps, region, surface, help };
 
 // kMenuTitles: of the menus, by Menu, in English.
-inline constexpr std::array<const char*, 7> kMenuTitles{"File",   "Edit",    "View", "Steps",
+inline constexpr std::array<const char*, 7> kMenuTitles{"File",   "Edit",    "View", "Go",
                                                         "Region", "Surface", "Help"};
 
 // Shortcut: a key of GLFW, with Control and Shift as said; 0 for none.

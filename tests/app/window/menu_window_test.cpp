@@ -18,17 +18,15 @@ TEST_F(WindowTest, MenusOpenByKeysAndEscapeClosesThemAlone) {
   EXPECT_NE(d.session().state(), DocumentState::stopped) << "the work was cancelled instead";
   ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
 
-  // The third entry of the menu of steps, by arrows and Enter; letters meanwhile are no commands.
+  // The third entry of a menu, by arrows and Enter; letters meanwhile are no commands.
   d.press("F10");
   ASSERT_TRUE(ui::listIsOpen());
   const SliceLayer layer = d.workspace().view.layer;
   d.press("2");
   EXPECT_EQ(d.workspace().view.layer, layer);
-  for (int i = 0; i < 3; ++i) d.press("Right");
-  d.press("Down");
-  d.press("Down");
+  for (int i = 0; i < 3; ++i) d.mouse("key Right");
   d.screenshot("sonoskin_menu");
-  d.press("Return");
+  for (const char* key : {"Down", "Down", "Return"}) d.mouse(std::string("key ") + key);
   EXPECT_EQ(d.workspace().step, Step::classify);
   EXPECT_FALSE(ui::listIsOpen());
 
