@@ -82,7 +82,7 @@ int parseAndRun(int argc, char** argv) {
 
   std::string file;
   ParameterOptions parameters;
-  program.add_option("FILE", file, "volume to open in the window")->type_name("");
+  program.add_option("FILE", file, "volume or session to open in the window")->type_name("");
   parameters.addPreset(program);
   parameters.addRecipe(program);
   parameters.addLook(program);

@@ -23,7 +23,6 @@ class SessionWindowTest : public WindowTest {
     d.session().reconstruct();
     ASSERT_TRUE(d.wait([&] { return d.session().reconstructions() > 0; }));
     ASSERT_TRUE(d.waitUntilIdle());
-    settle();
   }
   // settle: until the skin's light is the final one.
   void settle() {
@@ -53,9 +52,9 @@ TEST_F(SessionWindowTest, IsSavedBeforeTheProgramEndsAndOpensAsTheSamePicture) {
   ASSERT_TRUE(d->waitUntilIdle());
   makeSurface();
   EXPECT_TRUE(isTitled("● Sonoskin"));
-  d->drag(d->point("axial", 0.5f, 0.5f), d->point("axial", 0.6f, 0.4f));
-  d->drag(d->point("space", 0.2f, 0.8f), d->point("space", 0.3f, 0.75f));
-  d->drag(d->point("sagittal", 0.5f, 0.5f), d->point("sagittal", 0.55f, 0.6f), 2);
+  d->drag(d->point("pane.axial", 0.5f, 0.5f), d->point("pane.axial", 0.6f, 0.4f));
+  d->drag(d->point("pane.space", 0.2f, 0.8f), d->point("pane.space", 0.3f, 0.75f));
+  d->drag(d->point("pane.sagittal", 0.5f, 0.5f), d->point("pane.sagittal", 0.55f, 0.6f), 2);
   d->moveTo(d->point("surface.state"));
   settle();
   const Image before = d->screenshot("before");
@@ -83,7 +82,7 @@ TEST_F(SessionWindowTest, IsSavedBeforeTheProgramEndsAndOpensAsTheSamePicture) {
   settle();
   EXPECT_EQ(writeViews(d->workspace().view), views);
   const Image after = d->screenshot("after");
-  for (const char* pane : {"axial", "sagittal", "coronal", "space"})
+  for (const char* pane : {"pane.axial", "pane.sagittal", "pane.coronal", "pane.space"})
     EXPECT_LT(difference(before, after, *d, pane), 0.002) << pane;
   EXPECT_FALSE(d->workspace().isModified());
 }
@@ -98,7 +97,10 @@ class KilledWindowTest : public SessionWindowTest {
     setenv("XDG_CONFIG_HOME", (folder.path() / "settings").c_str(), 1);
     for (int moment = 0; moment < 3; ++moment) {
       killAfter(volume, 250'000 * moment);
-      EXPECT_EQ(AutosaveSlot::left(folder / "state/sonoskin").size(), 1u) << moment;
+      std::vector<AutosaveSlot> left = AutosaveSlot::left(folder / "state/sonoskin");
+      ASSERT_EQ(left.size(), 1u) << moment;
+      EXPECT_FALSE(leftText(left[0].file()).empty()) << moment;
+      left[0].leave();
       if (moment < 2) fs::remove_all(folder / "state");
     }
     WindowTest::SetUp();
