@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/free_memory.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/parameter_key.h"
 
@@ -52,6 +53,7 @@ void SkinScene::prepare(const Wanted& wanted, const Workspace& workspace) {
                     [made, wanted, front](const Progress& progress) {
                       const SkinQuality quality = wanted.full ? fullQuality() : lightQuality();
                       *made = prepareSkin(wanted.mesh, front, quality, progress);
+                      returnFreeMemory();
                     },
                     [this, made, wanted] {
                       prepared_ = *made;

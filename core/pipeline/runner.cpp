@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/error_text.h"
+#include "core/base/free_memory.h"
 #include "core/base/thread_priority.h"
 
 namespace sonoskin {
@@ -83,6 +84,7 @@ std::optional<Results> Runner::takeResults() {
 
 void Runner::work() {
   giveWay();
+  bool others = false;  // memory of another document may be free
   for (;;) {
     std::optional<Request> request;
     bool forgets = false;
@@ -99,7 +101,13 @@ void Runner::work() {
       status_.fraction = 0;
     }
     if (forgets) pipeline_.forget();
-    if (request) runRequest(*request);
+    others |= forgets;
+    if (!request) continue;
+    runRequest(*request);
+    if (request->goal == Goal::mesh || (others && request->goal == Goal::points)) {
+      returnFreeMemory();
+      others = false;
+    }
   }
 }
 
