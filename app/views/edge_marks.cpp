@@ -8,6 +8,8 @@
 namespace sonoskin::ui {
 namespace {
 
+constexpr float kBelowTitle = 35;  // the first line of a view is its title's, and that of its bar
+
 // Letters stand out, as those who read pictures look for them first.
 void drawLetters(const PaneInput& pane, const std::string& text, const glm::vec2& side) {
   const float u = unit();
@@ -15,7 +17,8 @@ void drawLetters(const PaneInput& pane, const std::string& text, const glm::vec2
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
   const glm::vec2 half(0.5f * size.x, 0.5f * size.y);
   const glm::vec2 reach = 0.5f * pane.size - half - glm::vec2(7, 7) * u;
-  const glm::vec2 place = pane.corner + 0.5f * pane.size + side * reach - half;
+  glm::vec2 place = pane.corner + 0.5f * pane.size + side * reach - half;
+  if (side.y < 0) place.y = pane.corner.y + kBelowTitle * u;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   // The cross-hair and lines of the crop box may run behind it.
   list.AddRectFilled({place.x - 3 * u, place.y - u}, {place.x + size.x + 3 * u, place.y + size.y + u},
