@@ -36,7 +36,7 @@ class Submenus {
     const bool same = submenu && title_ && std::string_view(submenu) == title_;
     if (!same) close();
     if (separator && (!same || open_)) ImGui::Separator();
-    if (!same) open_ = !submenu || ImGui::BeginMenu(submenu);
+    if (!same) open_ = !submenu || ImGui::BeginMenu(tr(submenu));
     title_ = submenu;
     return open_;
   }
