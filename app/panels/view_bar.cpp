@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/panels/grey_rows.h"
 #include "app/panels/measure_rows.h"
 #include "app/panels/panels.h"
 #include "app/texts/texts.h"
@@ -90,6 +91,8 @@ void drawSliceBar(ViewState& view, bool wide) {
 void drawSliceMore(Workspace& workspace, bool wide) {
   if (!wide) choose("view.layer", kLayers, workspace.view.layer);
   drawMarks(workspace.view);
+  ImGui::Separator();
+  drawGreyRows(workspace);
   ImGui::Separator();
   drawMeasureRows(workspace);
 }
