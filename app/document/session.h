@@ -89,6 +89,7 @@ class Session {
   const Scan& scan() const { return frame_.scan; }
   Beam beam() const { return beamOf(frame_.scan, document_.parameters.scan); }
   const std::string& name() const { return document_.name; }
+  bool isPhantom() const { return document_.phantom.has_value(); }  // the scan that is open
 
   // Parameters. edit() is what a slider does while it moves; commitEdit() when it is let go makes the step
   // that undo() takes back.

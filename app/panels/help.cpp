@@ -1,111 +1,132 @@
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
-#include <array>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "app/panels/dialog_window.h"
 #include "app/panels/panels.h"
+#include "app/texts/texts.h"
 #include "app/widgets/theme.h"
+#include "app/widgets/widget_rects.h"
 #include "app/workspace/commands.h"
-#include "core/base/version.h"
+#include "app/workspace/word_match.h"
 
 namespace sonoskin::ui {
 namespace {
 
-struct MouseLine {
-  const char *where, *what, *effect;
+// What a hand does somewhere, and what that does.
+struct HelpLine {
+  std::string where, what, effect;
 };
-constexpr std::array<MouseLine, 27> kMouse{{
-    {"Slices", "Left button", "move the cross-hair"},
-    {"", "Wheel", "next slice"},
-    {"", "Ctrl+wheel", "zoom"},
-    {"", "Middle or Shift+left", "pan"},
-    {"", "Right", "window (sideways), level (up and down)"},
-    {"", "Left on a side of the crop box", "move it"},
-    {"Eraser", "Left", "erase a ball"},
-    {"", "Ctrl+left", "bring back"},
-    {"Outline", "Left", "cut out what is seen within it"},
-    {"", "Ctrl+left", "bring it back"},
-    {"", "Shift+left", "keep nothing but what is seen within it"},
-    {"Measure", "Click, or drag", "set a mark, or move one"},
-    {"", "Double click", "close an area"},
-    {"3D", "Left", "rotate"},
-    {"", "Middle or Shift+left", "pan"},
-    {"", "Right or wheel", "zoom"},
-    {"", "Click on the cube", "look from that side"},
-    {"Parts", "Click", "take a part away, or bring it back"},
-    {"", "Shift+click", "leave that part alone"},
-    {"", "Ctrl+left", "draw a line that splits a part"},
-    {"Skin", "Left on the lamp", "move the light; beyond the rim: behind"},
-    {"", "Wheel on the lamp", "its distance, if it is near or inside"},
-    {"", "Left on the dividing line", "move it, where two pictures are compared"},
-    {"Any view", "Double click", "alone and back"},
-    {"Sliders", "Double click or right", "default"},
-    {"", "Click on the number", "type it"},
-    {"Window", "Drop a file", "open it"},
-}};
 
-bool beginDialog(const char* title, bool* open) {
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * unit());
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  const bool drawn = ImGui::Begin(title, open,
-                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopStyleVar(2);
-  return drawn;
+std::vector<HelpLine> mouseLines() {
+  std::vector<HelpLine> lines{
+      {"Slices", "Left button", "move the cross-hair"},
+      {"Slices", "Wheel", "next slice"},
+      {"Slices", "Ctrl+wheel", "zoom"},
+      {"Slices", "Middle or Shift+left", "pan"},
+      {"Slices", "Right", "window (sideways), level (up and down)"},
+      {"Slices", "Left on a side of the crop box", "move it"},
+      {"Eraser", "Left", "erase a ball"},
+      {"Eraser", "Ctrl+left", "bring back"},
+      {"Outline", "Left", "cut out what is seen within it"},
+      {"Outline", "Ctrl+left", "bring it back"},
+      {"Outline", "Shift+left", "keep nothing but what is seen within it"},
+      {"Measure", "Click, or drag", "set a mark, or move one"},
+      {"Measure", "Double click", "close an area"},
+      {"3D", "Left", "rotate"},
+      {"3D", "Middle or Shift+left", "pan"},
+      {"3D", "Right or wheel", "zoom"},
+      {"3D", "Click on the cube", "look from that side"},
+      {"Parts", "Click", "take a part away, or bring it back"},
+      {"Parts", "Shift+click", "leave that part alone"},
+      {"Parts", "Ctrl+left", "draw a line that splits a part"},
+      {"Skin", "Left on the lamp", "move the light; beyond the rim: behind"},
+      {"Skin", "Wheel on the lamp", "its distance, if it is near or inside"},
+      {"Skin", "Left on the dividing line", "move it, where two pictures are compared"},
+      {"Any view", "Double click", "alone and back"},
+      {"Sliders", "Double click or right", "default"},
+      {"Sliders", "Click on the number", "type it"},
+      {"Window", "Drop a file", "open it"},
+      {"Window", "F10 or Alt", "the menus: arrows, Enter, Escape"},
+      {"Window", "Tab", "the side panel: arrows, Enter or space; Escape"},
+  };
+  for (HelpLine& line : lines)
+    line = {tr(line.where.c_str()), tr(line.what.c_str()), tr(line.effect.c_str())};
+  return lines;
 }
 
-void keyRow(const char* where, const char* what, const char* effect) {
-  ImGui::TableNextRow();
+std::vector<HelpLine> keyLines() {
+  std::vector<HelpLine> lines;
+  for (const Command& command : commands()) {
+    if (command.shortcut.key == 0) continue;
+    lines.push_back(
+        {tr(kMenuTitles[std::size_t(command.menu)]), shortcutText(command.shortcut), tr(command.title)});
+  }
+  return lines;
+}
+
+void keepFitting(std::vector<HelpLine>& lines, const std::string& words) {
+  std::erase_if(lines, [&](const HelpLine& line) {
+    return !misfit(words, line.where + " " + line.what + " " + line.effect);
+  });
+}
+
+// Lines in a table; a place is named where it begins.
+//   what  how wide the middle column is, without scale
+void drawLines(const char* id, std::span<const HelpLine> lines, float what) {
   ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", where);
-  ImGui::TableNextColumn();
-  ImGui::TextColored(colours().accent, "%s", what);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(effect);
+  if (!ImGui::BeginTable(id, 3)) return;
+  ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, 56 * unit());
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, what * unit());
+  ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch);
+  const std::string* where = nullptr;
+  for (const HelpLine& line : lines) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (!where || line.where != *where) ImGui::TextDisabled("%s", line.where.c_str());
+    where = &line.where;
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, colours().accent);
+    ImGui::TextWrapped("%s", line.what.c_str());
+    ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", line.effect.c_str());
+    noteWidget("help." + line.what + "." + line.effect);
+  }
+  ImGui::EndTable();
+}
+
+// The mouse beside the keys, in two columns of like length.
+void drawAll(const std::string& words) {
+  if (!ImGui::BeginTable("all", 3)) return;
+  ImGui::TableSetupColumn("mouse", ImGuiTableColumnFlags_WidthStretch, 1.45f);
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 1);
+  ImGui::TableSetupColumn("more keys", ImGuiTableColumnFlags_WidthStretch, 1);
+  std::vector<HelpLine> mouse = mouseLines(), keys = keyLines();
+  keepFitting(mouse, words);
+  keepFitting(keys, words);
+  drawLines("mouse", mouse, 180);
+  const std::span all(keys);
+  const std::size_t half = (all.size() + 1) / 2;
+  drawLines("keys", all.first(half), 90);
+  drawLines("more keys", all.subspan(half), 90);
+  ImGui::EndTable();
 }
 
 }  // namespace
 
 void drawKeys(Workspace& workspace) {
   if (!workspace.keysShown) return;
-  if (beginDialog("Mouse and keys", &workspace.keysShown) && ImGui::BeginTable("keys", 3)) {
-    ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, 70 * unit());
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 160 * unit());
-    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthFixed, 270 * unit());
-    for (const MouseLine& line : kMouse) keyRow(line.where, line.what, line.effect);
-    const char* where = "Keys";
-    for (const Command& command : commands()) {
-      if (command.shortcut.key == 0) continue;
-      keyRow(where, shortcutText(command.shortcut).c_str(), command.title);
-      where = "";
-    }
-    ImGui::EndTable();
-  }
-  ImGui::End();
-}
-
-void drawAbout(Workspace& workspace) {
-  if (!workspace.aboutShown) return;
-  if (beginDialog("About Sonoskin", &workspace.aboutShown)) {
-    ImGui::PushFont(headingFont());
-    ImGui::Text("Sonoskin %s", kVersion);
-    ImGui::PopFont();
-    ImGui::PushTextWrapPos(430 * unit());
-    ImGui::TextUnformatted(
-        "Turns a noisy three-dimensional ultrasound scan into a smooth surface of the face, and "
-        "the surface into a picture.");
-    ImGui::Spacing();
-    ImGui::TextColored(colours().warning,
-                       "For research and keepsakes. Not for diagnosis: what is seen here may have been "
-                       "smoothed away or filled in.");
-    ImGui::Spacing();
-    ImGui::TextDisabled(
-        "MIT licence. Built with Dear ImGui, GLFW, ITK, Eigen, assimp and glm; set in Inter and "
-        "DejaVu Sans.");
-    ImGui::TextDisabled("OpenGL: %s", workspace.glInfo.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::Spacing();
-    if (ImGui::Button("Close", {90 * unit(), 0})) workspace.aboutShown = false;
+  if (beginDialog({tr("Mouse and keys"), "###keys", {1240, 660}}, workspace.keysShown)) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##words", tr("Search"), &workspace.help.keyWords);
+    noteWidget("help.words");
+    ImGui::BeginChild("lines");
+    drawAll(workspace.help.keyWords);
+    ImGui::EndChild();
   }
   ImGui::End();
 }

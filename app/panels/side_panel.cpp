@@ -34,7 +34,7 @@ void forgetMarks(Workspace& workspace) {
 void drawScrolled(Workspace& workspace, float height) {
   section(stepTitle(workspace.step));
   ImGui::BeginChild(stepName(workspace.step), {0, height - ImGui::GetCursorPosY()}, false,
-                    ImGuiWindowFlags_AlwaysVerticalScrollbar);
+                    ImGuiWindowFlags_AlwaysVerticalScrollbar | ImGuiWindowFlags_NavFlattened);
   drawStep(workspace);
   ImGui::EndChild();
 }

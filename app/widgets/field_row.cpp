@@ -84,6 +84,7 @@ float widgetWidth() { return ImGui::GetContentRegionAvail().x - resetWidth() - g
 
 bool afterWidget(const FieldRow& row, const std::string& facts) {
   noteWidget(row.id);
+  if (isWanted(row.id)) ImGui::SetScrollHereY();
   tooltip(row, facts);
   return ImGui::IsItemHovered() && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                                     ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));

@@ -26,7 +26,8 @@ enum class FilePurpose {
   saveClassified,
   saveSkin,
   saveLitSkin,
-  savePicture
+  savePicture,
+  saveMessages
 };
 
 // FilePurposeText: how the dialog looks for a purpose, and which files it lists and writes.

@@ -50,6 +50,8 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save surface with skin and light", "Save", true, FileKind::texturedMesh};
     case FilePurpose::savePicture:
       return {"Save picture of the 3D view", "Save", true, FileKind::picture};
+    case FilePurpose::saveMessages:
+      return {"Save messages", "Save", true, FileKind::text};
   }
   return {};
 }

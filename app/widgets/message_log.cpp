@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <ctime>
+
+#include "app/widgets/nameless.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -32,11 +35,22 @@ void MessageLog::open() {
   unseen = 0;
 }
 
+std::size_t MessageLog::count(Kind kind) const {
+  return std::size_t(std::ranges::count(entries, kind, &Entry::kind));
+}
+
+void MessageLog::clear() {
+  entries.clear();
+  unseen = 0;
+}
+
 std::string MessageLog::text() const {
   constexpr std::array<const char*, 3> kNames{"note", "warning", "error"};
   std::string all;
   for (const Entry& entry : entries)
-    all += fmt::format("{} {}: {}\n", entry.time, kNames[std::size_t(entry.kind)], entry.text);
+    if (shows(entry))
+      all += fmt::format("{} {}: {}\n", entry.time, kNames[std::size_t(entry.kind)],
+                         withoutNames(entry.text, files));
   return all;
 }
 

@@ -122,7 +122,7 @@ FieldsEdit editTrack(const FieldRow& row, double& value, const NumberTrack& trac
   ImGui::SameLine(0, 4 * unit());
   if (typing().id == id) {
     edit |= typeNumber(value, track);
-  } else if (numberBox(track) || byTrack) {
+  } else if (numberBox(track) || byTrack || isWanted(row.id)) {
     beginTyping(id, value);
   }
   noteWidget(row.id + ".number");

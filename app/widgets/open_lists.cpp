@@ -3,6 +3,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <string>
+#include <string_view>
+
 namespace sonoskin::ui {
 
 int openLists() {
@@ -40,15 +43,45 @@ int leavesMenu() {
   return step;
 }
 
-void steerLists() {
+bool popupIsOpen() { return !ImGui::GetCurrentContext()->OpenPopupStack.empty(); }
+
+bool mainHasKeys() {
+  const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;
+  return !window || std::string_view(window->RootWindow->Name) == "main";
+}
+
+bool focusChild(const char* name) {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  for (ImGuiWindow* window : context.Windows) {
+    const bool isChild = (window->Flags & ImGuiWindowFlags_ChildWindow) && window->WasActive;
+    if (!isChild ||
+        std::string_view(window->Name).find(std::string("/") + name + "_") == std::string_view::npos ||
+        window->ParentWindow != window->RootWindow)
+      continue;
+    context.IO.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::FocusWindow(window);
+    ImGui::NavInitWindow(window, true);
+    context.NavDisableHighlight = false;
+    context.NavDisableMouseHover = true;
+    return true;
+  }
+  return false;
+}
+
+void steerByKeys(const KeySteering& steering) {
   ImGuiIO& io = ImGui::GetIO();
-  if (!listIsOpen()) {
+  // Of itself it goes from text field to text field, and past all else.
+  if (mainHasKeys() && !io.WantTextInput) io.KeysDown[ImGui::GetKeyIndex(ImGuiKey_Tab)] = false;
+  if (!popupIsOpen() && !steering.widgets) {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     return;
   }
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  if (steering.step > 0) io.NavInputs[ImGuiNavInput_DpadDown] = 1;
+  if (steering.step < 0) io.NavInputs[ImGuiNavInput_DpadUp] = 1;
   // This version of ImGui takes the space bar alone for "do it".
-  if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
+  const bool isEnter = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter));
+  if (isEnter && !io.WantTextInput) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 }  // namespace sonoskin::ui

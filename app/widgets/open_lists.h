@@ -16,7 +16,22 @@ void openMenu(const char* title);
 // one before, else 0.
 int leavesMenu();
 
-// steerLists: just before ImGui's frame, when it knows the keys: while one is open, arrows, Enter and the space bar steer it.
-void steerLists();
+// popupIsOpen: whether a list or a question is.
+bool popupIsOpen();
+
+// mainHasKeys: whether no window that lies over the main one has them.
+bool mainHasKeys();
+
+// focusChild: the keyboard goes to the first widget of a child window of that name; whether there is one.
+bool focusChild(const char* name);
+
+// KeySteering: whether keys steer the widgets of the window, and the step to the next one, or the one before, in this frame.
+struct KeySteering {
+  bool widgets = false;
+  int step = 0;
+};
+// steerByKeys: just before ImGui's frame, when it knows the keys: while a list or a question is open, or `steering` says so,
+// arrows, Enter and the space bar steer what is there.
+void steerByKeys(const KeySteering& steering);
 
 }  // namespace sonoskin::ui

@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/panels/command_palette.h"
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/texts/texts.h"
@@ -18,6 +19,7 @@
 #include "app/workspace/document_view.h"
 #include "app/workspace/session_actions.h"
 #include "app/workspace/shown_layers.h"
+#include "app/workspace/tour.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -28,6 +30,15 @@ namespace sonoskin {
 namespace {
 
 constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0.3;
+
+// What takes the keys once it is open, a bit each.
+unsigned keyTakers(const Workspace& w) {
+  unsigned bits = 0;
+  for (const bool open :
+       {w.files.purpose.has_value(), w.isAsked(), w.help.paletteShown, !w.help.wantedRow.empty()})
+    bits = 2 * bits + open;
+  return bits;
+}
 
 }  // namespace
 
@@ -45,6 +56,7 @@ Application::Application(const std::optional<std::filesystem::path>& file, const
     workspace_.session.openPhantom();
   }
   attempt([this] { askToRestore(); });
+  offerTour(workspace_);
 }
 
 Application::~Application() {
@@ -101,7 +113,7 @@ void Application::answerClosing() {
 void Application::takeInput(const std::optional<Event>& event) {
   takeDropped(workspace_, window_.takeDroppedFiles());
   workspace_.view.trail = event ? event->through : std::vector<glm::vec2>();
-  if (!event || menuKeys_.take(*event, workspace_)) return;
+  if (!event || menuKeys_.take(*event, workspace_) || widgetKeys_.take(*event)) return;
   if (event->kind != Event::Kind::key || !event->down) return;
   const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
   if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);
@@ -144,22 +156,21 @@ void Application::updateDocument() {
 }
 
 void Application::draw() {
-  const auto isAsking = [this] { return workspace_.files.purpose || workspace_.isAsked(); };
-  const bool asked = isAsking();
+  const unsigned before = keyTakers(workspace_);
   std::optional<Event> event;
   const bool begun = attempt([&] {
     if (atFrame && !window_.eventsWait()) atFrame();
     window_.setLook({workspace_.settings.appearance, workspace_.settings.scale});
     workspace_.screenScale = double(window_.screenScale());
     menuKeys_.beforeFrame();
-    event = window_.beginFrame();
+    event = window_.beginFrame(widgetKeys_.forFrame());
   });
   if (!begun) return;
   workspace_.view.catchingUp = window_.eventsWait();
   attempt([&] { takeInput(event); });
   attempt([this] { updateDocument(); });
   attempt([this] { drawInterface(); });
-  if (isAsking() && !asked) window_.settle();
+  if (keyTakers(workspace_) & ~before) window_.settle();
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
   attempt([this] {
@@ -207,6 +218,7 @@ void Application::drawInterface() {
   ui::drawKeys(workspace_);
   ui::drawAbout(workspace_);
   ui::drawHistory(workspace_);
+  ui::drawPalette(workspace_);
   ui::drawQuestion(workspace_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
@@ -215,6 +227,7 @@ void Application::drawInterface() {
   ui::drawRecovery(workspace_);
   ui::drawLog(workspace_);
   toastsWant_ = ui::drawToasts(workspace_.toasts, place);
+  tour_.draw(workspace_);
   if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
 }
 

@@ -6,10 +6,12 @@
 #include <set>
 #include <string>
 
+#include "app/panels/tour.h"
 #include "app/views/four_up.h"
 #include "app/window/background_context.h"
 #include "app/window/desktop_window.h"
 #include "app/window/menu_keys.h"
+#include "app/window/widget_keys.h"
 #include "app/workspace/autosave.h"
 #include "app/workspace/objects_seen.h"
 #include "app/workspace/workspace.h"
@@ -48,6 +50,7 @@ class Application {
   void lookForGlErrors();
   ui::ToastPlace drawMain();  // where messages may lie
   void act(const ui::FileChoice& choice);
+  void saveMessages(const std::filesystem::path& path);
   void saveSkin(const std::filesystem::path& path, bool light);
   void savePicture(const std::filesystem::path& path);
   BackgroundContext& background();
@@ -61,7 +64,9 @@ class Application {
   Workspace workspace_;
   MenuKeys menuKeys_;
   Autosave autosave_{stateFolder()};
+  WidgetKeys widgetKeys_;
   ui::FourUp views_;
+  ui::TourWindow tour_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
   std::set<std::string> noted_;        // of this document: each of its time steps may say the same

@@ -1,9 +1,13 @@
 // What is done with the files that a person chooses.
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "app/texts/texts.h"
 #include "app/views/view_shot.h"
 #include "app/window/application.h"
 #include "app/workspace/session_actions.h"
+#include "core/io/atomic_file.h"
 
 namespace sonoskin {
 namespace {
@@ -12,9 +16,16 @@ constexpr glm::ivec2 kPictureSize{1280, 960};
 
 }  // namespace
 
+void Application::saveMessages(const std::filesystem::path& path) {
+  const std::string text = workspace_.toasts.log.text();
+  writeBytes(path, text.data(), text.size());
+  workspace_.toasts.add(fmt::format(fmt::runtime(tr("Saved {}")), path.string()), false);
+}
+
 void Application::act(const ui::FileChoice& choice) {
   Session& session = workspace_.session;
   workspace_.settings.folder = choice.path.parent_path();
+  workspace_.toasts.log.hide(choice.path);
   switch (choice.purpose) {
     case ui::FilePurpose::open:
     case ui::FilePurpose::openSession:
@@ -47,6 +58,8 @@ void Application::act(const ui::FileChoice& choice) {
       return saveSkin(choice.path, true);
     case ui::FilePurpose::savePicture:
       return savePicture(choice.path);
+    case ui::FilePurpose::saveMessages:
+      return saveMessages(choice.path);
   }
 }
 

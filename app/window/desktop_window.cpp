@@ -95,13 +95,13 @@ void DesktopWindow::applyLook() {
   events_.requestFrames(3);
 }
 
-std::optional<Event> DesktopWindow::beginFrame() {
+std::optional<Event> DesktopWindow::beginFrame(const ui::KeySteering& steering) {
   if (drawn_ != WindowLook{look_.appearance, double(scale())}) applyLook();
   const std::optional<Event> event = events_.take();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   feed_.feed(event, events_.knownUntil(), ImGui::GetIO());
-  ui::steerLists();
+  ui::steerByKeys(steering);
   ImGui::NewFrame();
   events_.hasBegun();
   return event;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/widgets/appearance.h"
+#include "app/widgets/open_lists.h"
 #include "app/window/event_feed.h"
 #include "app/window/window_events.h"
 
@@ -41,7 +42,7 @@ class DesktopWindow {
 
   // beginFrame: a frame of the interface, with the next event that waits.
   //   output  that event
-  std::optional<Event> beginFrame();
+  std::optional<Event> beginFrame(const ui::KeySteering& steering = {});
   // eventsWait: whether more have happened than frames have seen. Such frames need not be shown: they are there for what
   // happened during an earlier one, and must not cost as much.
   bool eventsWait() const { return events_.wait(); }

@@ -29,15 +29,16 @@ struct KeyName {
   int key;
   const char* name;
 };
-constexpr std::array<KeyName, 9> kKeyNames{{{GLFW_KEY_ENTER, "Enter"},
-                                            {GLFW_KEY_ESCAPE, "Esc"},
-                                            {GLFW_KEY_DELETE, "Del"},
-                                            {GLFW_KEY_LEFT, "←"},
-                                            {GLFW_KEY_RIGHT, "→"},
-                                            {GLFW_KEY_UP, "↑"},
-                                            {GLFW_KEY_DOWN, "↓"},
-                                            {GLFW_KEY_PAGE_UP, "PgUp"},
-                                            {GLFW_KEY_PAGE_DOWN, "PgDn"}}};
+constexpr std::array<KeyName, 10> kKeyNames{{{GLFW_KEY_ENTER, "Enter"},
+                                             {GLFW_KEY_SPACE, "Space"},
+                                             {GLFW_KEY_ESCAPE, "Esc"},
+                                             {GLFW_KEY_DELETE, "Del"},
+                                             {GLFW_KEY_LEFT, "←"},
+                                             {GLFW_KEY_RIGHT, "→"},
+                                             {GLFW_KEY_UP, "↑"},
+                                             {GLFW_KEY_DOWN, "↓"},
+                                             {GLFW_KEY_PAGE_UP, "PgUp"},
+                                             {GLFW_KEY_PAGE_DOWN, "PgDn"}}};
 
 }  // namespace
 

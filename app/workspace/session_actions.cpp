@@ -58,6 +58,7 @@ void takeDropped(Workspace& w, const std::vector<fs::path>& files) {
 }
 
 void openAny(Workspace& w, const fs::path& path) {
+  w.toasts.log.hide(path);
   if (formatNamed(FileKind::session, path)) return openSession(w, path);
   if (formatNamed(FileKind::recipe, path)) return openRecipe(w, path);
   if (isMeshFile(path.string())) return tellMesh(w, path);

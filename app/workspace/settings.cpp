@@ -78,6 +78,7 @@ Settings readSettings(const fs::path& file) {
     for (const json& recent : root.value("recent", json::array()))
       settings.recent.emplace_back(recent.get<std::string>());
     settings.remembersFiles = root.value("remembersFiles", true);
+    settings.tourOffered = root.value("tourOffered", false);
     // As double: the library casts a number that no int holds, which C++ leaves undefined.
     settings.width = int(std::clamp(root.value("width", double(settings.width)), 800.0, 8192.0));
     settings.height = int(std::clamp(root.value("height", double(settings.height)), 600.0, 8192.0));
@@ -98,6 +99,7 @@ void writeSettings(const fs::path& file, const Settings& settings) {
   const json root{{"folder", settings.folder.string()},
                   {"recent", recent},
                   {"remembersFiles", settings.remembersFiles},
+                  {"tourOffered", settings.tourOffered},
                   {"width", settings.width},
                   {"height", settings.height},
                   {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]},

@@ -21,6 +21,7 @@ struct Settings {
   std::filesystem::path folder;               // where files were last opened or saved
   std::vector<std::filesystem::path> recent;  // volumes, the latest first
   bool remembersFiles = true;                 // whether `recent` is filled and kept
+  bool tourOffered = false;                   // whether the tour was, at a first start
   int width = 1500, height = 940;             // of the window, at content scale 1
   SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
   Appearance appearance = Appearance::dark;

@@ -43,14 +43,12 @@ const Tool* chosenTool(const W& w) {
 
 bool busy(const W& w) { return w.session.activity().busy; }
 
-bool isHelped(const W& w) { return w.keysShown || w.aboutShown; }
-
 // Escape ends what is most in the way.
 void escape(W& w) {
   if (w.isAsked()) {
     w.dropQuestions();
-  } else if (isHelped(w)) {
-    w.keysShown = w.aboutShown = false;
+  } else if (hasHelpWindow(w)) {
+    closeHelpWindow(w);
   } else if (const Tool* tool = chosenTool(w)) {
     putAway(w.view, *tool);
   } else if (busy(w)) {
@@ -61,7 +59,7 @@ void escape(W& w) {
   }
 }
 bool canEscape(const W& w) {
-  return w.isAsked() || isHelped(w) || chosenTool(w) || busy(w) || w.view.maximised;
+  return w.isAsked() || hasHelpWindow(w) || chosenTool(w) || busy(w) || w.view.maximised;
 }
 
 // clang-format off

@@ -10,6 +10,7 @@
 #include "app/widgets/file_dialog.h"
 #include "app/widgets/toasts.h"
 #include "app/workspace/commands.h"
+#include "app/workspace/help_state.h"
 #include "app/workspace/settings.h"
 #include "app/workspace/step.h"
 #include "app/workspace/time_left.h"
@@ -80,6 +81,7 @@ struct Workspace {
   std::optional<std::vector<UserPreset>> presets;  // the person's own; not read yet
   std::optional<std::string> presetName;           // of one that is about to be kept, while it is typed
   bool keysShown = false, aboutShown = false, historyShown = false;
+  HelpState help;
   std::optional<Menu> menuAsked;  // by a key, to be opened
   double screenScale = 1;         // of texts and widgets, where the settings have none
   glm::dvec3 typedSpacing{1};     // mm; for files that give none

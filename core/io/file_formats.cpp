@@ -14,7 +14,7 @@ namespace sonoskin {
 namespace fs = std::filesystem;
 namespace {
 
-enum class Holds { volume, mesh, picture, recipe, session };
+enum class Holds { volume, mesh, picture, recipe, session, text };
 
 // Row: a format, and the endings under which it is read and written.
 //   keeps          what a written file holds, or where a read one is looked for; for people
@@ -116,7 +116,8 @@ const std::vector<Row>& rows() {
        "Sonoskin session",
        {".sonoskin"},
        {".sonoskin"},
-       "a recipe, the views, and where the volume lies on this machine; as a recipe too"}};
+       "a recipe, the views, and where the volume lies on this machine; as a recipe too"},
+      {F::text, Holds::text, "plain text", {}, {".txt"}, "what the window has said, without names of files"}};
   return all;
 }
 
@@ -131,7 +132,7 @@ struct Selection {
   bool Row::*flag = nullptr;
   std::optional<Holds> also = {};
 };
-constexpr std::size_t kKinds = 10;
+constexpr std::size_t kKinds = 11;
 constexpr std::array<Selection, kKinds> kSelections{
     {{Holds::volume, true, "a volume"},
      {Holds::volume, false, "a volume"},
@@ -142,7 +143,8 @@ constexpr std::array<Selection, kKinds> kSelections{
      {Holds::picture, false, "a picture"},
      {Holds::recipe, false, "a recipe"},
      {Holds::session, false, "a session"},
-     {Holds::volume, true, "a volume", nullptr, Holds::session}}};
+     {Holds::volume, true, "a volume", nullptr, Holds::session},
+     {Holds::text, false, "a text"}}};
 
 const Selection& selectionOf(FileKind kind) { return kSelections[std::size_t(kind)]; }
 
@@ -245,7 +247,8 @@ FileFormat volumeFormat(const fs::path& file, std::span<const std::uint8_t> star
 
 std::string formatTable() {
   std::string text = "| | format | read | written | what it keeps |\n|---|---|---|---|---|\n";
-  constexpr std::array<const char*, 5> kTitles{"volumes", "meshes", "pictures", "recipes", "sessions"};
+  constexpr std::array<const char*, 6> kTitles{"volumes", "meshes",   "pictures",
+                                               "recipes", "sessions", "texts"};
   const Row* above = nullptr;
   for (const Row& row : rows()) {
     const bool first = !above || above->holds != row.holds;

@@ -31,12 +31,14 @@ enum class FileFormat {
   dicomStl,
   png,
   json,
-  session
+  session,
+  text
 };
 
 // FileKind: what a file is wanted for.
 //   printedMesh   a solid for a printer
 //   texturedMesh  a surface with the maps of its skin
+//   text          words for people
 //   opened        what the window opens: a volume, or a session with one
 enum class FileKind {
   readVolume,
@@ -48,7 +50,8 @@ enum class FileKind {
   picture,
   recipe,
   session,
-  opened
+  opened,
+  text
 };
 
 // formatName: for people: "MetaImage".

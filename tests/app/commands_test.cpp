@@ -30,8 +30,8 @@ TEST(Commands, PromisedKeys) {
       {"file.open", "Ctrl+O"},   {"file.saveMesh", "Ctrl+S"},
       {"edit.undo", "Ctrl+Z"},   {"edit.redo", "Ctrl+Shift+Z"},
       {"view.resetCamera", "R"}, {"file.savePicture", "F12"},
-      {"help.keys", "H"},        {"surface.parts", "P"},
-      {"surface.cancel", "Esc"}};
+      {"help.keys", "H"},        {"help.palette", "Ctrl+K"},
+      {"surface.parts", "P"},    {"surface.cancel", "Esc"}};
   for (const auto& [id, keys] : promised) EXPECT_EQ(shortcutText(command(id).shortcut), keys) << id;
 }
 
@@ -91,21 +91,6 @@ TEST(Escape, EndsWhatIsMostInTheWay) {
   EXPECT_FALSE(canEscape(workspace));
 }
 
-// What lies over everything else goes first, and the work goes on.
-TEST(Escape, ClosesKeysAndAboutBeforeItCancels) {
-  Workspace workspace{Parameters()};
-  workspace.session.openPhantom();
-  for (bool Workspace::*shown : {&Workspace::keysShown, &Workspace::aboutShown}) {
-    workspace.*shown = true;
-    escape(workspace);
-    EXPECT_FALSE(workspace.*shown);
-    EXPECT_TRUE(workspace.session.activity().busy);
-  }
-  escape(workspace);
-  ASSERT_TRUE(test::wait(workspace.session));
-  EXPECT_FALSE(workspace.session.hasScan());
-}
-
 TEST(Commands, ScaleGoesByQuartersFromWhereTheScreenHasIt) {
   Workspace workspace{Parameters()};
   workspace.screenScale = 1.6;
@@ -125,6 +110,33 @@ TEST(Commands, ScaleGoesByQuartersFromWhereTheScreenHasIt) {
   command("view.light").run(workspace);
   EXPECT_EQ(workspace.settings.appearance, Appearance::light);
   EXPECT_TRUE(command("view.light").checked(workspace));
+}
+
+// Whatever goes on behind them, windows that help are closed first, one at a time.
+TEST(Escape, ClosesHelpAndEndsNothing) {
+  Parameters small;
+  small.phantom.dims = {117, 64, 31};
+  Workspace workspace{small};
+  workspace.session.openPhantom();
+  workspace.view.spaceTool = Tool::landmark;
+  workspace.keysShown = workspace.aboutShown = true;
+  workspace.help.tour = 1;
+  workspace.toasts.log.open();
+  escape(workspace);
+  EXPECT_FALSE(workspace.keysShown);
+  EXPECT_TRUE(workspace.aboutShown);
+  escape(workspace);
+  EXPECT_FALSE(workspace.aboutShown);
+  EXPECT_TRUE(workspace.help.tour);
+  escape(workspace);
+  EXPECT_FALSE(workspace.help.tour);
+  EXPECT_TRUE(workspace.toasts.log.shown);
+  escape(workspace);
+  EXPECT_FALSE(workspace.toasts.log.shown);
+  EXPECT_EQ(workspace.view.spaceTool, Tool::landmark);
+  EXPECT_TRUE(workspace.session.activity().blocking);
+  ASSERT_TRUE(test::wait(workspace.session));
+  EXPECT_TRUE(workspace.session.hasScan()) << "the opening was ended";
 }
 
 TEST(Commands, UndoRunsOnTheWorkspace) {

@@ -41,6 +41,20 @@ TEST(MessageLog, CountsWhatWasNotSeenAndRepeatsNothing) {
   EXPECT_EQ(log.entries.back().text, std::to_string(2 * MessageLog::kMost - 1));
 }
 
+TEST(MessageLog, ShowsAndCopiesTheKindsThatAreAskedFor) {
+  MessageLog log;
+  log.add(MessageLog::Kind::note, "Saved.");
+  log.add(MessageLog::Kind::failure, "Failed.");
+  EXPECT_EQ(log.count(MessageLog::Kind::failure), 1u);
+  EXPECT_EQ(log.count(MessageLog::Kind::warning), 0u);
+  log.levels[std::size_t(MessageLog::Kind::note)] = false;
+  EXPECT_EQ(log.text().find("Saved"), std::string::npos);
+  EXPECT_NE(log.text().find("Failed"), std::string::npos);
+  log.clear();
+  EXPECT_TRUE(log.text().empty());
+  EXPECT_EQ(log.unseen, 0u);
+}
+
 TEST(MessageLog, OpensFromTheMenu) {
   Workspace workspace{Parameters()};
   command("view.messages").run(workspace);

@@ -163,7 +163,7 @@ TEST(FileFormats, OtherEndingsAreRefusedWithThoseThatAre) {
   expectAll(FileKind::texturedMesh, Error::Kind::usage, [&] { writeTexturedMesh(other, {}); });
   expectAll(FileKind::picture, Error::Kind::usage, [&] { writePng(other, {}); });
   for (const FileKind kind : {FileKind::writtenVolume, FileKind::writtenMesh, FileKind::printedMesh,
-                              FileKind::texturedMesh, FileKind::picture, FileKind::recipe})
+                              FileKind::texturedMesh, FileKind::picture, FileKind::recipe, FileKind::text})
     expectAll(kind, Error::Kind::usage, [&] { requireFormat(kind, "face.vol"); });
   EXPECT_EQ(fileText(other), "hello");
 }

@@ -34,6 +34,11 @@ TEST_F(WindowTest, ShowsAndKeepsWhatIsLogged) {
   d.frames(2);
   EXPECT_EQ(ImGui::GetClipboardText(), toasts.log.text());
   d.screenshot("sonoskin_messages");
+  d.workspace().settings.folder = folder.path();
+  d.click("messages.save");
+  d.press("Return");
+  EXPECT_TRUE(fs::exists(folder / "messages.txt"));
+  d.frames(2);
   d.click("messages.close");
   d.frames(2);
   EXPECT_FALSE(toasts.log.shown);

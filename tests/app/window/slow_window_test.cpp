@@ -101,6 +101,26 @@ TEST_F(SlowWindowTest, KeysReachTheDialogThatOpens) {
   EXPECT_TRUE(d.workspace().toasts.list.empty() || !d.workspace().toasts.list.front().failure);
 }
 
+// What the palette opens gets the keys in turn.
+TEST_F(SlowWindowTest, KeysReachThePalette) {
+  Driver& d = *driver;
+  during("key ctrl+k type --delay 1 slicla");
+  EXPECT_TRUE(d.workspace().help.paletteShown);
+  EXPECT_TRUE(d.knows("palette.view.classified"));
+  during("key Down key Up key Return");
+  EXPECT_FALSE(d.workspace().help.paletteShown);
+  EXPECT_EQ(d.workspace().view.layer, SliceLayer::classified);
+  d.workspace().settings.folder = folder.path();
+  during("key ctrl+k type --delay 1 savrec");
+  during("key Return key ctrl+a type --delay 1 found");
+  ASSERT_TRUE(d.workspace().files.purpose);
+  EXPECT_EQ(d.workspace().files.name, "found");
+  during("key Escape");
+  EXPECT_FALSE(d.workspace().files.purpose);
+  during("key ctrl+k key Escape");
+  EXPECT_FALSE(d.workspace().help.paletteShown);
+}
+
 // A frame that fails is a message, and the next one follows.
 TEST_F(SlowWindowTest, AFrameThatCannotBeginIsAMessage) {
   Driver& d = *driver;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/widgets/open_lists.h"
+#include "app/window/event_queue.h"
+
+namespace sonoskin {
+
+// WidgetKeys: the side panel by keyboard. Tab takes the keys into it and goes to its next widget, Shift+Tab back; arrows go, too;
+// the space bar or Enter does what the mouse would. Escape or a click gives the keys back to the views.
+class WidgetKeys {
+ public:
+  // take: what an event does, once its frame has begun; true when nobody else is to have it.
+  bool take(const Event& event);
+  // forFrame: for the frame that begins.
+  ui::KeySteering forFrame();
+
+ private:
+  bool takeTab(bool back);
+
+  bool on_ = false;
+  int step_ = 0;  // to the next widget or the one before, in the next frame
+};
+
+}  // namespace sonoskin
