@@ -27,7 +27,7 @@ std::string saidOf(const Stage& stage, const std::string& timeLeft) {
   if (stage.state == StageState::working)
     return fmt::format("{:.0f} %{}{}", 100 * stage.fraction, timeLeft.empty() ? "" : ", ", timeLeft);
   const bool calm = stage.state == StageState::ready || stage.state == StageState::nothing;
-  if (calm && !stage.number.empty()) return stage.number;
+  if ((calm || stage.step == Step::output) && !stage.number.empty()) return stage.number;
   return fmt::format("{}{}{}", stage.number, stage.number.empty() ? "" : ", ", stageWord(stage.state));
 }
 

@@ -16,7 +16,7 @@
 namespace sonoskin::ui {
 namespace {
 
-float numberWidth() { return 82 * unit(); }
+float numberWidth() { return 88 * unit(); }
 
 // The track up to the grab, so that values can be compared at a glance.
 void fillTrack(double share) {
@@ -84,7 +84,8 @@ bool numberBox(const NumberTrack& track) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     ImGui::SetTooltip("%s", tr("Click to type a number"));
   }
-  const std::string unitText = track.unit.empty() ? "" : " " + track.unit;
+  const bool per = track.unit.starts_with("1/");  // "0.1 /voxel": room is scarce
+  const std::string unitText = track.unit.empty() ? "" : " " + track.unit.substr(per ? 1 : 0);
   const float unitWidth = ImGui::CalcTextSize(unitText.c_str()).x;
   const float y = min.y + ImGui::GetStyle().FramePadding.y, right = max.x - 4 * ui::unit();
   const float width = ImGui::CalcTextSize(track.shown.c_str()).x + unitWidth;

@@ -116,7 +116,9 @@ void Application::takeInput(const std::optional<Event>& event) {
   if (!event || menuKeys_.take(*event, workspace_) || widgetKeys_.take(*event)) return;
   if (event->kind != Event::Kind::key || !event->down) return;
   const bool elsewhere = ImGui::GetIO().WantTextInput || workspace_.files.purpose || event->alt;
-  if (!elsewhere) runShortcut({event->code, event->control, event->shift}, workspace_);
+  const bool asked =
+      workspace_.isAsked() && event->code != GLFW_KEY_ESCAPE;  // what is asked is answered first
+  if (!elsewhere && !asked) runShortcut({event->code, event->control, event->shift}, workspace_);
 }
 
 void Application::updateDocument() {
@@ -171,6 +173,7 @@ void Application::draw() {
   attempt([this] { updateDocument(); });
   attempt([this] { drawInterface(); });
   if (keyTakers(workspace_) & ~before) window_.settle();
+  if (workspace_.menuAsked) window_.requestFrames(6);  // it opens in the next, and is steered some later
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
   attempt([this] {
