@@ -40,12 +40,14 @@ void askWhereToSave(Workspace& w, std::function<void()> then) {
 }
 
 void saveSessionTo(Workspace& w, const fs::path& path) {
-  w.session.saveSession(path, writeViews(w.view), [&w, path, then = std::exchange(w.afterSaving, {})] {
+  const auto saved = [&w, path, marks = marksKey(w.view), then = std::exchange(w.afterSaving, {})] {
     w.sessionFile = path;
+    w.savedMarks = marks;
     w.settings.noteOpened(path);
     w.keepSettings();
     if (then) then();
-  });
+  };
+  w.session.saveSession(path, writeViews(w.view), saved);
 }
 
 void openRecipe(Workspace& w, const fs::path& path) {
@@ -75,6 +77,7 @@ void takeInOpened(Workspace& w) {
   if (w.noted != session.opened()) {
     w.noted = session.opened();
     w.sessionFile.clear();
+    w.savedMarks = marksKey(w.view);
     if (!session.source().empty()) w.settings.noteOpened(session.source());
     w.keepSettings();
   }
@@ -84,6 +87,7 @@ void takeInOpened(Workspace& w) {
   w.view.cameraMoved = true;  // it stays where it was when points and surface are made again
   w.restored |= reopened->recovers;
   if (reopened->recovers) return;
+  w.savedMarks = marksKey(w.view);
   w.sessionFile = reopened->path;
   w.settings.noteOpened(reopened->path);
   w.keepSettings();

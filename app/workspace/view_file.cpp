@@ -18,6 +18,11 @@ bool isUpright(const Camera& camera) {
 
 std::string writeViews(const ViewState& view) { return view_json::write(view).dump(); }
 
+Key marksKey(const ViewState& view) {
+  if (view.measures.empty()) return {};
+  return Hasher("marks").add(view_json::write(view.measures).dump()).key();
+}
+
 void readViews(const std::string& json, ViewState& view) {
   const Camera before = view.camera;
   const Orientation turned = view.orientation;

@@ -2,16 +2,19 @@
 
 #include "app/document/face_view.h"
 #include "app/texts/texts.h"
+#include "app/workspace/view_file.h"
 #include "core/io/scanners/raw_file.h"
 
 namespace sonoskin {
 
 void Workspace::confirmLoss(const std::string& what, std::function<void()> action) {
-  if (session.hasUnsavedWork())
+  if (isModified())
     question = {what, std::move(action)};
   else
     action();
 }
+
+bool Workspace::isModified() const { return session.hasUnsavedWork() || !(marksKey(view) == savedMarks); }
 
 bool Workspace::isAsked() const {
   return question || choice || rawQuestion || lostVolume || recovery || !dropped.empty();

@@ -43,7 +43,8 @@ struct Workspace {
   };
   // confirmLoss: does something that ends the document, after a question where work would be lost.
   void confirmLoss(const std::string& what, std::function<void()> action);
-  bool isModified() const { return session.hasUnsavedWork(); }
+  // isModified: whether work would be lost: the document's, or marks of measures.
+  bool isModified() const;
   // isAsked: whether a question waits for the person; dropQuestions: answers it with no, or later.
   bool isAsked() const;
   void dropQuestions();
@@ -77,6 +78,7 @@ struct Workspace {
   bool restored = false;              // what such a run left is open
   std::function<void()> afterSaving;  // what waits until the session is saved
   std::uint64_t noted = 0;            // which opened scan is among the recent files
+  Key savedMarks;                     // of the measures that were saved last
   TimePlay play;
   std::optional<std::vector<UserPreset>> presets;  // the person's own; not read yet
   std::optional<std::string> presetName;           // of one that is about to be kept, while it is typed

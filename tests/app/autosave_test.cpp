@@ -227,7 +227,11 @@ TEST(Unsaved, NothingGoesWithoutAQuestion) {
   EXPECT_EQ(w.session.opened(), opened);
   EXPECT_EQ(w.session.parameters().classification.alpha, 2);
 
-  // Saved first, and then done.
+  // Saved first, and then done; marks of measures too.
+  w.session.undo();
+  EXPECT_FALSE(w.isModified());
+  w.view.measures.push_back({MeasureKind::distance, {{0, 0, 0}, {1, 2, 3}}});
+  EXPECT_TRUE(w.isModified());
   command("file.quit").run(w);
   w.sessionFile = kept.folder / "a.sonoskin";
   saveSession(w, std::exchange(w.question, std::nullopt)->action);
