@@ -113,6 +113,12 @@ void Camera::orbit(float toRight, float upward) {
   up = glm::normalize(glm::cross(axis, forward));
 }
 
+Camera Camera::aroundBy(double share) const {
+  Camera other = *this;
+  other.orbit(float(2 * 3.14159265358979 * share), 0);
+  return other;
+}
+
 void Camera::roll(float angle) { up = glm::normalize(turned(up, forward, -angle)); }
 
 void Camera::pan(glm::vec2 pixels, int height) {

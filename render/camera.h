@@ -29,6 +29,8 @@ struct Camera {
 
   // orbit: turns the eye about the target, to its own right and upward, radians.
   void orbit(float toRight, float upward);
+  // aroundBy: the camera after a share of a whole turn to its own right about the target, 0 to 1.
+  Camera aroundBy(double share) const;
   // roll: turns the picture clockwise, radians.
   void roll(float angle);
   // pan: moves what is seen by pixels to the right and upward in a picture of `height` pixels.

@@ -80,6 +80,7 @@ void setLights(gl::Program& program, const Lighting& l) {
   program.set("skyDirection", l.skyDirection);
   program.set("backgroundTop", l.backgroundTop);
   program.set("backgroundBottom", l.backgroundBottom);
+  program.set("backdrop", l.background ? 1.0f : 0.0f);
   program.set("exposure", l.exposure);
 }
 

@@ -22,6 +22,7 @@ struct Lighting {
   Light key, fill, rim;
   glm::vec3 sky{0.2f}, ground{0.1f}, skyDirection{0, 0, 1};
   glm::vec3 backgroundTop{0.02f}, backgroundBottom{0.005f};  // display-linear
+  bool background = true;                                    // without it, what is not covered is transparent
   float exposure = 1;
 };
 

@@ -5,7 +5,7 @@
 namespace sonoskin {
 namespace {
 
-void drawMesh(const GpuMesh& mesh, gl::Program& program, const glm::mat4& viewProjection,
+void drawMesh(const MeshViewInput& input, gl::Program& program, const glm::mat4& viewProjection,
               const gl::Framebuffer& target) {
   target.bind();
   glEnable(GL_DEPTH_TEST);
@@ -14,7 +14,8 @@ void drawMesh(const GpuMesh& mesh, gl::Program& program, const glm::mat4& viewPr
   glDisable(GL_BLEND);
   program.use();
   program.set("viewProjection", viewProjection);
-  mesh.draw();
+  const ClipInUse clipped(program, input.clip);
+  input.mesh.draw();
 }
 
 }  // namespace
@@ -32,11 +33,11 @@ void MeshView::draw(const MeshViewInput& input, const gl::Target& target) {
                  .samplesPerSide = input.supersampling,
                  .shadowSize = input.shadowSize});
   const glm::mat4 viewProjection = buffer_.viewProjection();
-  drawMesh(input.mesh, shadowProgram_, buffer_.lightView.projection(), buffer_.shadow);
-  drawMesh(input.mesh, surfaceProgram_, viewProjection, buffer_.surface);
+  drawMesh(input, shadowProgram_, buffer_.lightView.projection(), buffer_.shadow);
+  drawMesh(input, surfaceProgram_, viewProjection, buffer_.surface);
   const gl::Texture* outline = nullptr;
   if (input.supersampling > 1)
-    outline = &outline_.draw(buffer_.surface.size(), viewProjection, [&] { input.mesh.draw(); });
+    outline = &outline_.draw(buffer_.surface.size(), viewProjection, input.clip, [&] { input.mesh.draw(); });
   shading_.draw({.buffer = buffer_,
                  .look = input.look,
                  .size = box.diagonal(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/clip_plane.h"
 #include "render/gpu_mesh.h"
 #include "render/outline.h"
 #include "render/surface_shading.h"
@@ -10,6 +11,7 @@ namespace sonoskin {
 //   supersampling  1 for interaction; 2 for pictures (four samples per pixel, averaged in linear light, 16 for the outline)
 //   unseenShade     0 to 1: how far regions that the probe cannot have seen, or that were not measured, are greyed
 //   shadowSize      texels along the shadow map's side
+//   clip            what it cuts off is not there, and casts no shadow
 struct MeshViewInput {
   const GpuMesh& mesh;
   const Camera& camera;
@@ -18,6 +20,7 @@ struct MeshViewInput {
   int supersampling = 1;
   float unseenShade = 0;
   int shadowSize = 1024;
+  ClipPlane clip{};
 };
 
 // MeshView: a lit surface with soft shadows of the key light and ambient occlusion, over a background.
@@ -27,7 +30,8 @@ class MeshView {
   MeshView();
 
   void draw(const MeshViewInput& input, const gl::Target& target);
-  // surface: the normals and depths that were drawn last.
+  // buffer: what was drawn last. surface: its normals and depths.
+  const SurfaceBuffer& buffer() const { return buffer_; }
   const gl::Framebuffer& surface() const { return buffer_.surface; }
 
  private:

@@ -14,7 +14,7 @@ Outline::Outline()
       samples_({.size = {1, 1}, .colours = {gl::Format::r8}, .samples = kSamples}),
       shares_({.size = {1, 1}, .colours = {gl::Format::r8}}) {}
 
-const gl::Texture& Outline::draw(glm::ivec2 size, const glm::mat4& viewProjection,
+const gl::Texture& Outline::draw(glm::ivec2 size, const glm::mat4& viewProjection, const ClipPlane& clip,
                                  const std::function<void()>& triangles) {
   samples_.fit(size);
   shares_.fit(size);
@@ -26,7 +26,10 @@ const gl::Texture& Outline::draw(glm::ivec2 size, const glm::mat4& viewProjectio
   glEnable(GL_MULTISAMPLE);
   program_.use();
   program_.set("viewProjection", viewProjection);
-  triangles();
+  {
+    const ClipInUse clipped(program_, clip);
+    triangles();
+  }
   glDisable(GL_SCISSOR_TEST);
   glBlitNamedFramebuffer(samples_.name(), shares_.name(), 0, 0, size.x, size.y, 0, 0, size.x, size.y,
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "render/clip_plane.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 
@@ -16,7 +17,7 @@ class Outline {
   // draw: counts the samples of a target of `size` texels; for shaders/common/outline.glsl.
   //   input   triangles   draws them, positions (world mm) as vertex input 0, with the program in use
   //   output  r8, 0 to 1; stays until the next call
-  const gl::Texture& draw(glm::ivec2 size, const glm::mat4& viewProjection,
+  const gl::Texture& draw(glm::ivec2 size, const glm::mat4& viewProjection, const ClipPlane& clip,
                           const std::function<void()>& triangles);
 
  private:

@@ -50,26 +50,106 @@ void checkPictureSize(glm::ivec2 size) {
                 Error::Kind::usage);
 }
 
+Image takePictures(const PictureOptions& options, const Camera& first,
+                   const std::function<void(const Camera& camera, const gl::Target& target)>& draw) {
+  const gl::Framebuffer picture({.size = options.size});
+  const auto take = [&](const Camera& camera) {
+    draw(camera, picture);
+    return gl::readImage(picture, !options.background);
+  };
+  if (!options.turntable) return take(first);
+  const Turntable& table = *options.turntable;
+  for (int view = 0; view < table.views; ++view)
+    table.take(view, take(first.aroundBy(double(view) / table.views)));
+  return {};
+}
+
+Lighting pictureLighting(const PictureOptions& options, const Camera& camera) {
+  Lighting lighting = parseLighting(options.light, camera);
+  lighting.background = options.background;
+  return lighting;
+}
+
+namespace {
+
+MeshViewInput meshInput(const GpuMesh& mesh, const Camera& camera, MeshLook look,
+                        const PictureOptions& options) {
+  return {.mesh = mesh,
+          .camera = camera,
+          .lighting = pictureLighting(options, camera),
+          .look = look,
+          .supersampling = 2,
+          .unseenShade = options.unseenShade,
+          .shadowSize = 2048};
+}
+
+}  // namespace
+
 Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, MeshLook look,
                     const PictureOptions& options) {
   checkPictureSize(options.size);
   context.makeCurrent();
   GpuMesh gpuMesh;
   gpuMesh.set(std::move(mesh));
-  const Camera camera =
+  const Camera first =
       parseCamera(options.camera, options.beam, gpuMesh.box(), aspectOf(options.size), options.faceCamera());
-  const gl::Framebuffer picture({.size = options.size});
+  const ClipPlane clip = parseClip(options.clip, first, gpuMesh.box());
   MeshView view;
-  view.draw({.mesh = gpuMesh,
-             .camera = camera,
-             .lighting = parseLighting(options.light, camera),
-             .look = look,
-             .supersampling = 2,
-             .unseenShade = options.unseenShade,
-             .shadowSize = 2048},
-            picture);
-  return gl::readImage(picture);
+  return takePictures(options, first, [&](const Camera& camera, const gl::Target& target) {
+    MeshViewInput input = meshInput(gpuMesh, camera, look, options);
+    input.clip = clip;
+    view.draw(input, target);
+  });
 }
+
+namespace {
+
+// VolumeStudio: a volume that pictures are taken of, and the surface within it where there is one.
+struct VolumeStudio {
+  const VolumePictureOptions& look;
+  const PictureOptions& options;
+  ClipPlane clip{};
+  GpuVolume volume{};
+  GpuMesh mesh{};
+  Raycaster raycaster{};
+  std::optional<MeshView> meshView{};
+  gl::Framebuffer meshPicture{};
+
+  void draw(const Camera& camera, const gl::Target& target);
+  SurfaceBehind drawMesh(const Camera& camera);
+};
+
+SurfaceBehind VolumeStudio::drawMesh(const Camera& camera) {
+  if (!meshView) {
+    meshView.emplace();
+    meshPicture = gl::Framebuffer({.size = options.size});
+    mesh.set(look.mesh);
+  }
+  MeshViewInput input = meshInput(mesh, camera, MeshLook::clay, options);
+  input.clip = clip;
+  meshView->draw(input, meshPicture);
+  return {meshView->buffer(), meshPicture};
+}
+
+void VolumeStudio::draw(const Camera& camera, const gl::Target& target) {
+  const bool softens = look.look != VolumeLook::surface && look.smoothing >= 1;
+  std::optional<SurfaceBehind> behind;
+  if (look.mesh && look.look == VolumeLook::translucent) behind.emplace(drawMesh(camera));
+  raycaster.draw({.volume = volume,
+                  .camera = camera,
+                  .lighting = pictureLighting(options, camera),
+                  .look = look.look,
+                  .iso = look.iso,
+                  .transfer = look.transfer.value_or(amberTransfer(look.iso)),
+                  .shadows = look.shadows,
+                  .behind = behind ? &*behind : nullptr,
+                  .gradientReach = 1.5f,
+                  .part = {.clip = clip},
+                  .raysPerPixel = softens ? raysPerPixel(volume.geometry(), camera, options.size) : 1},
+                 target);
+}
+
+}  // namespace
 
 Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>> volume,
                       const VolumePictureOptions& look, const PictureOptions& options) {
@@ -81,24 +161,14 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
   if (look.crop) volume = std::make_shared<const Volume<float>>(voxelsInside(*volume, *look.crop));
   if (look.smoothing > 0)
     volume = std::make_shared<const Volume<float>>(gaussianBlur(*volume, look.smoothing));
-  GpuVolume gpuVolume;
-  gpuVolume.set(volume);
-  const Box framed = look.crop ? worldBox(volume->geometry) : gpuVolume.contentBox(look.iso);
-  const Camera camera =
+  VolumeStudio studio{look, options};
+  studio.volume.set(volume);
+  const Box framed = look.crop ? worldBox(volume->geometry) : studio.volume.contentBox(look.iso);
+  const Camera first =
       parseCamera(options.camera, options.beam, framed, aspectOf(options.size), options.faceCamera());
-  const bool softens = look.look == VolumeLook::translucent && look.smoothing >= 1;
-  const gl::Framebuffer picture({.size = options.size});
-  Raycaster raycaster;
-  raycaster.draw({.volume = gpuVolume,
-                  .camera = camera,
-                  .lighting = parseLighting(options.light, camera),
-                  .look = look.look,
-                  .iso = look.iso,
-                  .transfer = amberTransfer(look.iso),
-                  .gradientReach = 1.5f,
-                  .raysPerPixel = softens ? raysPerPixel(volume->geometry, camera, options.size) : 1},
-                 picture);
-  return gl::readImage(picture);
+  studio.clip = parseClip(options.clip, first, framed);
+  return takePictures(options, first,
+                      [&](const Camera& camera, const gl::Target& target) { studio.draw(camera, target); });
 }
 
 glm::dvec3 brightMiddle(const Volume<float>& volume) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,20 +16,42 @@
 
 namespace sonoskin {
 
+// Turntable: pictures all around, at equal angles, the camera turning to its right about what it looks at.
+//   views  1 or more
+//   take   gets each as it is drawn, from 0 on
+struct Turntable {
+  int views = 1;
+  std::function<void(int view, Image)> take;
+};
+
 // PictureOptions: the frame of a finished picture.
+//   background  without one, what is not covered is transparent
+//   clip        see parseClip
+//   turntable   where it is set, the pictures go there and what is returned has no pixels
 struct PictureOptions {
   glm::ivec2 size{1280, 960};      // pixels
   std::string camera = "probe";    // see parseCamera
   std::string light = "portrait";  // see parseLighting
   Beam beam{};                     // what "probe" means
-  float unseenShade = 0;           // of surfaces; 0 to 1: how far what was not measured is greyed
-  std::optional<Camera> face{};    // what "face" means
+  bool background = true;
+  std::string clip = "";
+  std::optional<Turntable> turntable{};
+  float unseenShade = 0;         // of surfaces; 0 to 1: how far what was not measured is greyed
+  std::optional<Camera> face{};  // what "face" means
 
   const Camera* faceCamera() const { return face ? &*face : nullptr; }
 };
 
 // checkPictureSize: refuses pictures of fewer than 16 or more than 8192 pixels a side.
 void checkPictureSize(glm::ivec2 size);
+
+// takePictures: what a scene looks like from a camera, or from all around where a turntable is asked for.
+//   draw  one picture of options.size; its lights may go with the camera
+Image takePictures(const PictureOptions& options, const Camera& first,
+                   const std::function<void(const Camera& camera, const gl::Target& target)>& draw);
+
+// pictureLighting: the light that the options ask for, with a background or without.
+Lighting pictureLighting(const PictureOptions& options, const Camera& camera);
 
 // pictureOfMesh: the lit surface, four samples per pixel.
 //   mesh    world mm; may be empty (background only)
@@ -41,11 +64,17 @@ Image pictureOfMesh(gl::Context& context, std::shared_ptr<const Mesh> mesh, Mesh
 //   iso        0 to 1, the grey value at the skin's border; the pipeline's Results::visibleLevel where it ran
 //   smoothing  standard deviation of a low-pass before, in units of the smallest spacing; 0: none
 //   crop       world mm; only what is inside is shown, and fills the picture; without one, everything
+//   transfer   without one, the amber one of the iso-value (translucent)
+//   shadows    see RaycastInput
+//   mesh       may be null; shown within the volume (translucent)
 struct VolumePictureOptions {
   VolumeLook look = VolumeLook::translucent;
   float iso = 0.3f;
   double smoothing = 1.2;
   std::optional<Box> crop{};
+  std::optional<TransferFunction> transfer{};
+  bool shadows = true;
+  std::shared_ptr<const Mesh> mesh{};
 };
 
 // pictureOfVolume: the volume itself, without a mesh; the camera frames what is brighter than the iso-value.

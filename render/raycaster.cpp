@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/light_volume.h"
-
 namespace sonoskin {
 namespace {
 
@@ -53,8 +51,11 @@ void setRays(gl::Program& program, const RaycastInput& input, const View& view) 
   program.set("viewUp", view.up);
   program.set("dims", g.dims);
   const glm::vec3 last(g.dims - 1);
-  program.set("boxMin", input.cropMin * last);
-  program.set("boxMax", input.cropMax * last);
+  program.set("boxMin", input.part.cropMin * last);
+  program.set("boxMax", input.part.cropMax * last);
+  const ClipPlane& clip = input.part.clip;
+  program.set("clip", glm::vec4(glm::vec3(g.spacing) * (toAxes * clip.normal),
+                                glm::dot(clip.normal, glm::vec3(g.origin)) + clip.offset));
   program.set("stepLength", float(g.minSpacing()));
   input.volume.bricks().bind(1);
   program.set("bricks", 1);
@@ -72,13 +73,20 @@ void setValues(gl::Program& program, const RaycastInput& input) {
   program.set("gradientToWorld", glm::mat3(axes[0] / spacing.x, axes[1] / spacing.y, axes[2] / spacing.z));
 }
 
-Key lightKeyOf(const RaycastInput& input) {
-  Hasher hasher("light");
-  hasher.add(input.volume.number());
-  for (int c = 0; c < 3; ++c) hasher.add(input.lighting.key.direction[c]);
-  for (const auto& p : input.transfer.points)
+Hasher& addTransfer(Hasher& hasher, const TransferFunction& transfer) {
+  for (const auto& p : transfer.points)
     hasher.add(p.value).add(p.opacity).add(p.colour.x).add(p.colour.y).add(p.colour.z);
-  return hasher.key();
+  return hasher;
+}
+
+Hasher& addVector(Hasher& hasher, const glm::vec3& v) { return hasher.add(v.x).add(v.y).add(v.z); }
+
+Key extinctionKeyOf(const RaycastInput& input) {
+  Hasher hasher("extinction");
+  addTransfer(hasher.add(input.volume.number()), input.transfer);
+  const ShownPart& part = input.part;
+  for (const glm::vec3& v : {part.cropMin, part.cropMax, part.clip.normal}) addVector(hasher, v);
+  return hasher.add(part.clip.offset).key();
 }
 
 // How many of the layers that a transfer function's opacity means one step of a ray passes.
@@ -97,22 +105,31 @@ glm::ivec2 scaled(glm::ivec2 size, float factor) {
   return glm::max(glm::ivec2(glm::round(glm::vec2(size) * factor)), glm::ivec2(1));
 }
 
+// Draws go to a part of the rows alone.
+void bindRows(const gl::Framebuffer& to, const glm::vec2& rows) {
+  to.bind();
+  const auto first = int(std::lround(rows.x * float(to.size().y))),
+             end = int(std::lround(rows.y * float(to.size().y)));
+  glScissor(0, first, to.size().x, end - first);
+}
+
 }  // namespace
 
-gl::Program& Raycaster::Caster::programFor(const RaycastInput& input) {
-  const bool erased = input.erased && *input.erased;
-  auto& program = programs[erased];
-  if (!program) {
-    std::vector<std::string> all = defines;
-    if (erased) all.push_back("ERASED");
-    program.emplace(std::vector<std::string>{"common/fullscreen.vert", file}, all);
-  }
-  return *program;
+gl::Program& Raycaster::programFor(const char* file, std::vector<std::string> defines,
+                                   const RaycastInput& input) {
+  if (input.erased && *input.erased) defines.emplace_back("ERASED");
+  if (input.behind && input.look == VolumeLook::translucent) defines.emplace_back("BEHIND");
+  std::string name = file;
+  for (const std::string& define : defines) name += " " + define;
+  const auto found = programs_.find(name);
+  if (found != programs_.end()) return found->second;
+  return programs_
+      .emplace(name, gl::Program(std::vector<std::string>{"common/fullscreen.vert", file}, defines))
+      .first->second;
 }
 
 Raycaster::Raycaster()
-    : finishProgram_({"common/fullscreen.vert", "volume/finish.frag"}),
-      translucent_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .filter = gl::Filter::linear}),
+    : translucent_({.size = {1, 1}, .colours = {gl::Format::rgba16f}, .filter = gl::Filter::linear}),
       small_({.size = {1, 1}, .filter = gl::Filter::linear}) {}
 
 void Raycaster::draw(const RaycastInput& input, const gl::Target& target) {
@@ -128,76 +145,140 @@ void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target)
   const int samples = coarse ? 1 : std::clamp(int(std::lround(input.raysPerPixel)), 1, 2);
   const glm::ivec2 size = coarse ? scaled(target.size, input.raysPerPixel) : target.size;
   const Box box = worldBox(input.volume.geometry());
-  buffer_.begin({.camera = input.camera,
-                 .lighting = input.lighting,
-                 .box = box,
-                 .pixels = size,
-                 .samplesPerSide = samples,
-                 .shadowSize = input.shadowSize});
+  if (input.rows.x <= 0) {
+    buffer_.begin({.camera = input.camera,
+                   .lighting = input.lighting,
+                   .box = box,
+                   .pixels = size,
+                   .samplesPerSide = samples,
+                   .shadowSize = input.shadowSize});
+    if (input.volume.floats()) castShadow(input);
+  }
   if (input.volume.floats()) castSurface(input);
+  if (input.rows.y < 1) return;
   if (coarse) small_.fit(size);
   shading_.draw({.buffer = buffer_, .look = MeshLook::amber, .size = 0.7f * box.diagonal()},
                 coarse ? gl::Target(small_) : target);
   if (coarse) gl::copyStretched(small_, target);
 }
 
+void Raycaster::castShadow(const RaycastInput& input) {
+  gl::Program& program = programFor("volume/surface.frag", {"DEPTH_ONLY"}, input);
+  setRays(program, input, viewOf(buffer_.lightView));
+  setValues(program, input);
+  program.set("depthTerms", glm::vec2(0.5f / buffer_.lightView.radius, 0));
+  buffer_.shadow.bind();
+  program.use();
+  gl::drawFullScreen(gl::DepthWrite::on);
+}
+
 void Raycaster::castSurface(const RaycastInput& input) {
-  const auto cast = [&](Caster& caster, const View& view, glm::vec2 depths, const gl::Framebuffer& to) {
-    gl::Program& program = caster.programFor(input);
-    setRays(program, input, view);
-    setValues(program, input);
-    program.set("depthTerms", depths);
-    to.bind();
-    program.use();
-    gl::drawFullScreen(gl::DepthWrite::on);
-  };
   const glm::ivec2 pixels = buffer_.frame.pixels;
-  cast(shadowCaster_, viewOf(buffer_.lightView), {0.5f / buffer_.lightView.radius, 0}, buffer_.shadow);
-  cast(surfaceCaster_, viewOf(input.camera, float(pixels.x) / float(pixels.y)),
-       depthTerms(buffer_.projection), buffer_.surface);
+  gl::Program& program = programFor("volume/surface.frag", {}, input);
+  setRays(program, input, viewOf(input.camera, float(pixels.x) / float(pixels.y)));
+  setValues(program, input);
+  program.set("depthTerms", depthTerms(buffer_.projection));
+  bindRows(buffer_.surface, input.rows);
+  program.use();
+  gl::drawFullScreen(gl::DepthWrite::on);
 }
 
 void Raycaster::drawTranslucent(const RaycastInput& input, const gl::Target& target) {
-  translucent_.fit(scaled(target.size, input.raysPerPixel));
-  translucent_.clear({});
-  if (input.volume.floats()) castTranslucent(input, float(target.size.x) / float(target.size.y));
+  if (input.rows.x <= 0) {
+    translucent_.fit(scaled(target.size, input.raysPerPixel));
+    translucent_.clear({});
+  }
+  const float aspect = float(target.size.x) / float(target.size.y);
+  if (input.volume.floats() && input.look == VolumeLook::translucent) castTranslucent(input, aspect);
+  if (input.volume.floats() && input.look == VolumeLook::maximum) castMaximum(input, aspect);
+  if (input.rows.y >= 1) finish(input, target);
+}
+
+void Raycaster::finish(const RaycastInput& input, const gl::Target& target) {
+  const bool display = input.look == VolumeLook::maximum;
+  gl::Program& program =
+      programFor("volume/finish.frag",
+                 display ? std::vector<std::string>{"DISPLAY"} : std::vector<std::string>{}, input);
   target.bind();
-  finishProgram_.use();
-  setLights(finishProgram_, input.lighting);
+  program.use();
+  setLights(program, input.lighting);
   translucent_.colour().bind(0);
-  finishProgram_.set("samples", 0);
+  program.set("samples", 0);
+  if (input.behind) {
+    input.behind->picture.colour().bind(1);
+    program.set("behind", 1);
+  }
+  gl::drawFullScreen();
+}
+
+void Raycaster::castMaximum(const RaycastInput& input, float aspect) {
+  gl::Program& program = programFor("volume/maximum.frag", {}, input);
+  setRays(program, input, viewOf(input.camera, aspect));
+  // A peak of one voxel would be missed by half.
+  program.set("stepLength", 0.5f * float(input.volume.geometry().minSpacing()));
+  input.volume.values().bind(0);
+  program.set("values", 0);
+  const glm::vec2 terms = input.window.terms();
+  program.set("window", terms);
+  program.set("brightest", (1 - terms.y) / terms.x);
+  bindRows(translucent_, input.rows);
+  program.use();
   gl::drawFullScreen();
 }
 
 void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
   const Geometry& g = input.volume.geometry();
-  updateLight(input);
-  gl::Program& program = translucentCaster_.programFor(input);
+  updateTransfer(input);
+  std::vector<std::string> defines;
+  if (!input.shadows) defines.emplace_back("SHADOWLESS");
+  gl::Program& program = programFor("volume/translucent.frag", std::move(defines), input);
   setRays(program, input, viewOf(input.camera, aspect));
   setLights(program, input.lighting);
   input.volume.shades().bind(0);
-  light_.bind(2);
-  transfer_.bind(3);
   program.set("shades", 0);
-  program.set("lightMap", 2);
+  if (input.shadows) {
+    updateLight(input);
+    light_.bind(2);
+    program.set("lightMap", 2);
+    program.set("lightScale", 1.0f / glm::vec3(light_.size() * kLightCell));
+  }
+  transfer_.bind(3);
   program.set("transfer", 3);
-  program.set("lightScale", 1.0f / glm::vec3(light_.size() * kLightCell));
+  if (input.behind) {
+    input.behind->buffer.surface.depth().bind(5);
+    program.set("behindDepth", 5);
+    program.set("behindTerms", depthTerms(input.behind->buffer.projection));
+  }
   program.set("threshold", input.transfer.threshold());
   const glm::mat3 toAxes(glm::transpose(g.direction));
   program.set("keyAxes", toAxes * input.lighting.key.direction);
   program.set("fillAxes", toAxes * input.lighting.fill.direction);
-  translucent_.bind();
+  bindRows(translucent_, input.rows);
   program.use();
   gl::drawFullScreen();
 }
 
+void Raycaster::updateTransfer(const RaycastInput& input) {
+  Hasher hasher("transfer");
+  const float layers = stepLayers(input.volume.geometry());
+  const Key key = addTransfer(hasher.add(layers), input.transfer).key();
+  if (key == transferKey_) return;
+  transfer_ = makeTransferTexture(input.transfer, layers);
+  transferKey_ = key;
+}
+
 void Raycaster::updateLight(const RaycastInput& input) {
-  const Key key = lightKeyOf(input);
-  if (key == lightKey_) return;
-  const Volume<float>& volume = *input.volume.floats();
-  transfer_ = makeTransferTexture(input.transfer, stepLayers(volume.geometry));
-  light_ = lightTexture(lightVolume(volume, input.transfer, input.lighting.key.direction, kLightCell));
-  lightKey_ = key;
+  const Key extinction = extinctionKeyOf(input);
+  if (extinction != extinctionKey_) {
+    extinction_ = extinctionVolume(*input.volume.floats(), input.transfer, kLightCell, input.part);
+    extinctionKey_ = extinction;
+  }
+  Hasher hasher("light");
+  addVector(hasher.add(extinction), input.lighting.key.direction);
+  if (const Key key = hasher.key(); key != lightKey_) {
+    light_ = lightTexture(lightVolume(extinction_, input.lighting.key.direction));
+    lightKey_ = key;
+  }
 }
 
 }  // namespace sonoskin

@@ -29,11 +29,6 @@ void setLayer(gl::Program& program, const std::string& prefix, const Geometry& g
 
 Geometry geometryOf(const GpuVolume& volume) { return volume.empty() ? Geometry{} : volume.geometry(); }
 
-// From values to shown = value * x + y.
-glm::vec2 windowTerms(const GreyWindow& window) {
-  return {1 / window.width, 0.5f - window.level / window.width};
-}
-
 // Coloured: a volume that is shown in a colour over the grey.
 struct Coloured {
   const GpuVolume& volume;
@@ -47,7 +42,7 @@ void setColoured(gl::Program& program, const std::string& prefix, int unit, cons
   layer.volume.values().bind(unsigned(unit));
   program.set(prefix.c_str(), unit);
   setLayer(program, prefix, geometryOf(layer.volume), frame);
-  program.set((prefix + "Window").c_str(), windowTerms(layer.window));
+  program.set((prefix + "Window").c_str(), layer.window.terms());
   program.set((prefix + "Colour").c_str(), layer.colour);
   program.set((prefix + "Opacity").c_str(), layer.opacity);
 }
@@ -103,7 +98,7 @@ void SliceView::draw(const SliceViewInput& input, const gl::Target& target) {
   program.set("volume", 0);
   program.set("size", target.size);
   setLayer(program, "volume", geometryOf(input.volume), frame);
-  program.set("window", windowTerms(input.window));
+  program.set("window", input.window.terms());
   setCrossHair(program, input, frame);
   setBox(program, input, frame);
   if (overlaid)

@@ -7,15 +7,10 @@
 #include "render/gl/program.h"
 #include "render/gpu_mask.h"
 #include "render/gpu_volume.h"
+#include "render/grey_window.h"
 #include "render/slice_frame.h"
 
 namespace sonoskin {
-
-// GreyWindow: which values are shown from black to white.
-struct GreyWindow {
-  float level = 0.5f;  // middle
-  float width = 1;     // > 0
-};
 
 // SliceViewInput: what SliceView draws. The volumes may differ in resolution: they are placed by world
 // position.

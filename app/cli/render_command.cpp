@@ -5,12 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "app/batch/turntable_files.h"
 #include "app/cli/choices.h"
 #include "app/cli/commands.h"
 #include "app/cli/mask_options.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/skin_options.h"
+#include "app/cli/volume_options.h"
 #include "app/document/face_view.h"
 #include "app/document/input.h"
 #include "app/document/view_planes.h"
@@ -32,10 +34,10 @@ namespace {
 struct RenderOptions {
   InputFiles files;  // or a mesh
   std::string out;
-  std::string view = "skin", mode = "dvr";
-  double level = 0;
-  bool whole = false;
-  float scale = 1;  // of a mesh
+  std::string view = "skin";
+  VolumeRenderOptions volume;
+  int turntable = 0;  // pictures; 0: one, from the camera
+  float scale = 1;    // of a mesh
   bool flip = false;
   PictureOptions picture;
   gl::Backend backend = gl::Backend::egl;
@@ -103,15 +105,14 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
   };
   const Region region = regionOf(scan, parameters.region);
   if (o.view == "volume") {
-    VolumePictureOptions look;
-    look.look = o.mode == "iso" ? VolumeLook::surface : VolumeLook::translucent;
-    look.iso = float(o.level);
     // Nothing is computed that the picture does not need: a level is found without a surface, a box around it is not.
-    if (!o.whole || o.level <= 0) {
-      const Results results = compute(o.whole ? Goal::levels : Goal::mesh);
-      if (o.level <= 0) look.iso = float(results.visibleLevel);
-      if (!o.whole) look.crop = boxAround(*results.mesh);
-    }
+    const VolumeRenderOptions& v = o.volume;
+    const bool needsMesh = !v.whole || v.withMesh;
+    const Results results =
+        needsMesh || v.level <= 0 ? compute(needsMesh ? Goal::mesh : Goal::levels) : Results{};
+    VolumePictureOptions look = v.picture(float(v.level > 0 ? v.level : results.visibleLevel));
+    if (!v.whole) look.crop = boxAround(*results.mesh);
+    if (v.withMesh) look.mesh = results.mesh;
     console.beginStage("picture");
     return {pictureOfVolume(context, withinRegion(std::exchange(scan.volume, {}), region), look, o.picture)};
   }
@@ -131,13 +132,52 @@ RenderOutput showVolumeFile(RenderOptions& o, const Parameters& parameters, gl::
       o.picture.size)};
 }
 
+// Refuses bad words and what does not go together before any work.
+void check(const RenderOptions& o) {
+  checkSkinOptions(o.skin, o.view, o.out);
+  const Camera camera = parseCamera(o.picture.camera, {}, {}, 1);
+  parseLighting(o.picture.light, camera);
+  parseClip(o.picture.clip, camera, {});
+  checkVolumeOptions(o.volume);
+  const bool planar = o.view == "slices" || o.skin.bake != Bake::none;
+  if (planar && (o.turntable > 0 || !o.picture.background || !o.picture.clip.empty()))
+    throw Error(
+        "--turntable, --transparent and --clip do nothing here; they are for pictures of skin, mesh and "
+        "volume.",
+        Error::Kind::usage);
+}
+
+// What was written, for people and programs.
+void tell(const RenderOptions& options, const std::vector<std::string>& files, const glm::ivec2& size,
+          double seconds, Console& console) {
+  nlohmann::ordered_json json;
+  if (const std::string name = console.nameOf(options.files.volume); !name.empty()) json["input"] = name;
+  if (options.turntable > 0)
+    json["files"] = files;
+  else
+    json["file"] = inputName(options.out);
+  json["view"] = options.view;
+  json["size"] = {size.x, size.y};
+  json["gl"] = gl::glInfo();
+  json["warnings"] = console.warnings();
+  json["seconds"] = seconds;
+  const std::string what = files.empty() ? options.out : fmt::format("{} to {}", files.front(), files.back());
+  console.print(json.dump(2), fmt::format("{}: {} x {} pixels, {}", what, size.x, size.y, gl::glInfo()));
+}
+
 void render(RenderOptions& options, Console& console) {
   const Timer timer;
-  checkSkinOptions(options.skin, options.view, options.out);
-  parseLighting(options.picture.light,
-                parseCamera(options.picture.camera, {}, {}, 1));  // refuses bad words now
+  check(options);
   const Parameters parameters =
       withLandmarks(options.parameters.resolve(options.files.recipe), options.files.volume);
+  std::optional<TurntableFiles> around;
+  if (options.turntable > 0) {
+    around.emplace(options.out, options.turntable);
+    options.picture.turntable = {options.turntable, [&around, &console](int view, Image picture) {
+                                   console.progress().throwIfCancelled();
+                                   around->write(view, std::move(picture));
+                                 }};
+  }
   const auto context = gl::makeOffscreenContext(options.backend);
   const RenderOutput made = isMeshFile(options.files.volume)
                                 ? showMeshFile(options, parameters, *context, console)
@@ -145,21 +185,31 @@ void render(RenderOptions& options, Console& console) {
   console.progress().throwIfCancelled();
   if (made.baked) {
     writeTexturedMesh(options.out, *made.baked);
+  } else if (around) {
+    around->finish(console.progress().cancelOnly());
   } else {
     writePng(options.out, made.picture);
   }
-
-  nlohmann::ordered_json json;
-  if (const std::string name = console.nameOf(options.files.volume); !name.empty()) json["input"] = name;
-  json["file"] = inputName(options.out);
-  json["view"] = options.view;
   const Image& picture = made.baked ? made.baked->colour : made.picture;
-  json["size"] = {picture.width, picture.height};
-  json["gl"] = gl::glInfo();
-  json["warnings"] = console.warnings();
-  json["seconds"] = timer.seconds();
-  console.print(json.dump(2), fmt::format("{}: {} x {} pixels, {}", options.out, picture.width,
-                                          picture.height, gl::glInfo()));
+  const glm::ivec2 size = around ? options.picture.size : glm::ivec2(picture.width, picture.height);
+  tell(options, around ? around->names() : std::vector<std::string>{}, size, timer.seconds(), console);
+}
+
+// What of it is seen, and on what ground.
+void addFrameOptions(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--clip", options.picture.clip,
+                  "cuts away what lies toward: camera, front, back, left, right, top or bottom; and at=, mm "
+                  "from the middle toward it; with commas")
+      ->type_name("WORDS");
+  command.add_flag_callback(
+      "--transparent", [&options] { options.picture.background = false; }, "a picture without a background");
+  command
+      .add_option("--turntable", options.turntable,
+                  "that many pictures all around, --out face.png gives face_001.png and so on, and as a film "
+                  "face.mp4 where ffmpeg is installed")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(2, kMostViews).description(""));
 }
 
 }  // namespace
@@ -181,16 +231,7 @@ Command addRenderCommand(CLI::App& program, Console& console) {
             "skin: the surface as skin, with light that goes in and comes out; mesh: plain; volume: "
             "ray-cast; slices: "
             "raw, classified and thinned");
-  addChoice(*command, "--mode", options->mode, {"iso", "dvr"},
-            "for volume; iso: the first hit, dvr: translucent");
-  command
-      ->add_option("--level", options->level,
-                   "for volume: grey of the skin's border, 0 .. 1; found from the volume by default")
-      ->type_name("NUMBER")
-      ->check(CLI::Range(0.001, 0.999).description(""));
-  command->add_flag(
-      "--whole", options->whole,
-      "for volume: the whole region; by default only the box around the surface that was found");
+  addVolumeOptions(*command, options->volume);
   command
       ->add_option("--scale", options->scale,
                    "for a mesh in another unit than mm: 1000 for metres [default 1]")
@@ -213,6 +254,7 @@ Command addRenderCommand(CLI::App& program, Console& console) {
           "portrait, or azimuth=, elevation= (degrees from the camera), strength=; with commas; skin "
           "has the lights of --light.* then, but for these [default portrait]")
       ->type_name("WORDS");
+  addFrameOptions(*command, *options);
   addSkinOptions(*command, options->skin);
   addSizeOption(*command, options->picture.size);
   addBackendOption(*command, options->backend);

@@ -160,10 +160,11 @@ class Session {
   void saveSequence(const std::filesystem::path& path, StepRange steps);
   // savePrint: makes the solid that the parameters describe, a shell if they name none, and saves it.
   void savePrint(const std::filesystem::path& path);
-  // saveSkin, savePicture: `make` is called in the background.
+  // saveSkin, savePicture: `make` and `write` are called in the background.
   //   showsMesh  whether the picture is one of the mesh
   void saveSkin(const std::filesystem::path& path, std::function<TexturedMesh()> make);
-  void savePicture(const std::filesystem::path& path, std::function<Image()> make, bool showsMesh);
+  void savePicture(const std::filesystem::path& path, std::function<void(const Progress&)> write,
+                   bool showsMesh);
   void saveRecipe(const std::filesystem::path& path);
   // saveScan, saveClassified: as voxels for other programs: the scan as it was read, and what the classification made of it.
   //   errors  Error: there is none

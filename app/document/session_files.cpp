@@ -243,9 +243,9 @@ void Session::saveSkin(const fs::path& path, std::function<TexturedMesh()> make)
       savedMesh(shownParameters()));
 }
 
-void Session::savePicture(const fs::path& path, std::function<Image()> make, bool showsMesh) {
+void Session::savePicture(const fs::path& path, std::function<void(const Progress&)> write, bool showsMesh) {
   const std::string recipe = showsMesh ? recipeOfMesh(shownParameters()) : recipeNow();
-  save(path, recipe, [path, make = std::move(make)](const Progress&) { writePng(path, make()); });
+  save(path, recipe, std::move(write));
 }
 
 void Session::saveScan(const fs::path& path) {

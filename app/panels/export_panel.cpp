@@ -25,7 +25,7 @@ const std::array<Block, 4> kBlocks{
           {"file.saveMesh", "file.saveSequence"}},
     Block{"Pictures and skin",
           "What the 3D view shows, as PNG; or the surface with its colours, as GLB.",
-          {"file.savePicture", "file.saveSkin", "file.saveLitSkin"}},
+          {"file.savePicture", "file.saveTurntable", "file.saveSkin", "file.saveLitSkin"}},
     Block{"Volumes",
           "As voxels, for other programs.",
           {"file.saveScan", "file.saveClassified", "file.saveErased"}},

@@ -45,12 +45,14 @@ void drawStatusBar(Workspace& workspace);
 void drawKeys(Workspace& workspace);
 void drawHistory(Workspace& workspace);  // the steps that can be taken back
 void drawAbout(Workspace& workspace);
-void drawQuestion(Workspace& workspace);      // before unsaved work is lost
-void drawLostVolume(Workspace& workspace);    // where a session's volume is
-void drawDropped(Workspace& workspace);       // which of several files is opened
-void drawRecovery(Workspace& workspace);      // whether to restore what was open when the program ended
-void drawRawQuestion(Workspace& workspace);   // what a file without a header holds
-void drawVolumeChoice(Workspace& workspace);  // which of several volumes in a file is opened
-void drawLog(Workspace& workspace);           // all messages, at the lower right
+void drawQuestion(Workspace& workspace);         // before unsaved work is lost
+void drawLostVolume(Workspace& workspace);       // where a session's volume is
+void drawDropped(Workspace& workspace);          // which of several files is opened
+void drawRecovery(Workspace& workspace);         // whether to restore what was open when the program ended
+void drawRawQuestion(Workspace& workspace);      // what a file without a header holds
+void drawVolumeChoice(Workspace& workspace);     // which of several volumes in a file is opened
+void drawLog(Workspace& workspace);              // all messages, at the lower right
+void drawPictureQuestion(Workspace& workspace);  // the format of pictures to be saved
+void drawColoursWindow(Workspace& workspace);    // the transfer function of a translucent volume
 
 }  // namespace sonoskin::ui

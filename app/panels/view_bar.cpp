@@ -6,6 +6,7 @@
 #include "app/panels/grey_rows.h"
 #include "app/panels/measure_rows.h"
 #include "app/panels/panels.h"
+#include "app/panels/view_rows.h"
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
@@ -101,8 +102,8 @@ float sliceBarWidth(bool wide) { return (wide ? textSegmentsWidth(kLayers) + gap
 
 // ---- 3D
 
-constexpr Names kContents{"Volume", "Mesh"}, kStyles{"Surface", "Translucent"}, kLooks{"Clay", "Skin"},
-    kVolumes{"Raw", "Classified"};
+constexpr Names kContents{"Volume", "Mesh"}, kStyles{"Surface", "Translucent", "Maximum"},
+    kLooks{"Clay", "Skin"};
 
 void chooseContent(Workspace& workspace) {
   ViewState& view = workspace.view;
@@ -138,32 +139,6 @@ float spaceBarWidth(const ViewState& view, bool wide) {
   return textSegmentsWidth(kContents) + gap() + style + moreWidth();
 }
 
-void drawLevel(ViewState& view, const Results& results) {
-  float level = static_cast<float>(shownLevel(view, results));
-  ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderFloat("##level", &level, 0.01f, 0.99f, view.volumeLevel ? "%.2f" : "%.2f (found)",
-                         ImGuiSliderFlags_AlwaysClamp))
-    view.volumeLevel = double(level);
-  noteWidget("view.level");
-  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  ImGui::SetTooltip("%s",
-                    tr("Grey value at which the rays stop.\nRight click: the value found from the volume."));
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) view.volumeLevel.reset();
-}
-
-void drawVolumeMore(ViewState& view, const Results& results) {
-  if (beginFields("volume")) {
-    beginRow("Shown");
-    choose("view.volumeLayer", kVolumes, view.volumeLayer);
-    beginRow("Level");
-    drawLevel(view, results);
-    endFields();
-  }
-  // The wall of the uterus lies between probe and face: without this it hides what one wants to see.
-  ImGui::Checkbox(tr("Only around the found surface"), &view.crop);
-  noteWidget("view.crop");
-}
-
 void drawMeshMore(Workspace& workspace) {
   ImGui::Checkbox(tr("Mark what was not measured"), &workspace.view.unmeasured);
   noteWidget("view.unmeasured");
@@ -179,9 +154,11 @@ void drawMeshMore(Workspace& workspace) {
 void drawSpaceMore(Workspace& workspace, bool wide) {
   if (!wide) chooseStyle(workspace.view);
   if (workspace.view.content == SpaceContent::volume)
-    drawVolumeMore(workspace.view, workspace.session.results());
+    drawVolumeRows(workspace);
   else
     drawMeshMore(workspace);
+  ImGui::Separator();
+  drawClipRows(workspace);
 }
 
 // ---- both

@@ -34,7 +34,7 @@ bool isBehindVolume(const VolumeScene& scene, const glm::vec3& eye, const glm::v
   const Volume<float>& volume = *scene.volume;
   const Geometry& g = volume.geometry;
   const glm::vec3 last(g.dims - 1);
-  const glm::vec3 least = scene.cropMin * last, most = scene.cropMax * last;
+  const glm::vec3 least = scene.part.cropMin * last, most = scene.part.cropMax * last;
   const glm::vec3 from(g.toIndex(glm::dvec3(eye))), to(g.toIndex(glm::dvec3(place)));
   const float length = glm::distance(eye, place), step = 0.7f * float(g.minSpacing());
   for (float at = 0; at < length - tolerance(g); at += step) {

@@ -23,6 +23,18 @@ std::pair<glm::vec3, glm::vec3> shownPart(const Workspace& w, const Geometry& sh
   return {least, most};
 }
 
+VolumeLook lookOf(VolumeStyle style) {
+  switch (style) {
+    case VolumeStyle::surface:
+      return VolumeLook::surface;
+    case VolumeStyle::translucent:
+      return VolumeLook::translucent;
+    case VolumeStyle::maximum:
+      return VolumeLook::maximum;
+  }
+  return VolumeLook::surface;
+}
+
 }  // namespace
 
 bool showsMesh(const Workspace& w) {
@@ -37,37 +49,44 @@ bool wantsSkin(const Workspace& w) {
   return showsMesh(w) && !showsParts(w) && w.view.meshStyle == MeshStyle::skin;
 }
 
-std::shared_ptr<const Volume<float>> shownVolume(const Workspace& w) {
-  const auto& classified = w.session.results().classified;
-  return w.view.volumeLayer == VolumeLayer::classified && classified ? classified : w.session.scan().volume;
-}
+ClipPlane clipOf(const Workspace& w) { return w.view.clip.on ? w.view.clip.plane : ClipPlane{}; }
 
 VolumeScene volumeScene(const Workspace& w) {
+  const ViewState& v = w.view;
   VolumeScene scene{.volume = shownVolume(w)};
-  scene.look = w.view.volumeStyle == VolumeStyle::surface ? VolumeLook::surface : VolumeLook::translucent;
-  scene.level = static_cast<float>(shownLevel(w.view, w.session.results()));
-  std::tie(scene.cropMin, scene.cropMax) = shownPart(w, scene.volume->geometry);
+  scene.look = lookOf(v.volumeStyle);
+  scene.level = static_cast<float>(shownLevel(v, w.session.results()));
+  scene.transfer = v.volume.transfer(scene.level);
+  scene.shadows = v.volume.shadows;
+  if (scene.volume == w.session.scan().volume) scene.window = v.grey;
+  std::tie(scene.part.cropMin, scene.part.cropMax) = shownPart(w, scene.volume->geometry);
+  scene.part.clip = clipOf(w);
+  if (v.volume.mesh && v.volumeStyle == VolumeStyle::translucent) scene.mesh = w.session.results().mesh;
   return scene;
 }
 
 RaycastInput raycastInput(const VolumeScene& scene, GpuVolume& copy, const GpuMask* erased,
-                          const Camera& camera, int raysPerPixel) {
+                          const Camera& camera) {
   return {.volume = copy,
           .camera = camera,
           .lighting = portraitLighting(camera),
           .look = scene.look,
           .iso = scene.level,
-          .transfer = amberTransfer(scene.level),
-          .cropMin = scene.cropMin,
-          .cropMax = scene.cropMax,
-          .erased = erased,
-          .raysPerPixel = static_cast<float>(raysPerPixel)};
+          .transfer = scene.transfer,
+          .shadows = scene.shadows,
+          .window = scene.window,
+          .part = scene.part,
+          .erased = erased};
+}
+
+MeshScene meshWithin(const VolumeScene& scene) {
+  return {.mesh = scene.mesh, .look = MeshLook::clay, .clip = scene.part.clip};
 }
 
 MeshScene meshScene(PartsScene& parts, const Workspace& w) {
-  if (showsParts(w)) return {parts.meshFor(w.session.results()), MeshLook::parts};
+  if (showsParts(w)) return {parts.meshFor(w.session.results()), MeshLook::parts, 0, clipOf(w)};
   return {w.session.results().mesh, w.view.meshStyle == MeshStyle::clay ? MeshLook::clay : MeshLook::skin,
-          w.view.unmeasured ? 1.0f : 0.0f};
+          w.view.unmeasured ? 1.0f : 0.0f, clipOf(w)};
 }
 
 MeshViewInput meshInput(const MeshScene& scene, const GpuMesh& copy, const Camera& camera,
@@ -77,7 +96,8 @@ MeshViewInput meshInput(const MeshScene& scene, const GpuMesh& copy, const Camer
           .lighting = portraitLighting(camera),
           .look = scene.look,
           .supersampling = supersampling,
-          .unseenShade = scene.unseenShade};
+          .unseenShade = scene.unseenShade,
+          .clip = scene.clip};
 }
 
 }  // namespace sonoskin::ui

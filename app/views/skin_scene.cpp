@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/views/scene.h"
 #include "core/base/free_memory.h"
 #include "core/pipeline/face_use.h"
 #include "core/pipeline/parameter_key.h"
@@ -116,6 +117,7 @@ SkinShot SkinScene::shot(const Workspace& workspace) const {
   shot.compare = show.compare;
   shot.divider = show.divider;
   shot.unseenShade = workspace.view.unmeasured ? 1 : 0;
+  shot.clip = clipOf(workspace);
   return shot;
 }
 
@@ -131,6 +133,8 @@ void drawSkin(const SkinShot& shot, const Camera& camera, const GpuSkin& gpu, Sk
     input.pass = pass;
     input.shownPart = part;
     input.unseenShade = shot.unseenShade;
+    input.background = shot.background;
+    input.clip = shot.clip;
     view->draw(input, target);
   };
   const bool split = shot.compare != SkinCompare::off;

@@ -23,6 +23,8 @@ struct SkinShot {
   SkinPass pass = SkinPass::skin;
   SkinCompare compare = SkinCompare::off;
   float divider = 0.5f, unseenShade = 0;
+  bool background = true;
+  ClipPlane clip{};
 };
 
 // SkinPictureOptions: see SkinViewInput.

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/views/box_lines.h"
 #include "app/views/cross_hair_marks.h"
 #include "app/views/measure_marks.h"
 #include "app/views/skin_marks.h"
+#include "app/views/space_handles.h"
 #include "app/views/space_picture.h"
 #include "app/views/use_tool.h"
 #include "app/widgets/layout.h"
@@ -39,6 +41,16 @@ std::string caption(const SpaceWindow& window, const Workspace& w) {
   return fmt::format("{}, level {:.2f}", layer, shownLevel(v, w.session.results()));
 }
 
+// The turntable, while nothing else has the mouse; whether it has turned.
+bool turnOn(Workspace& w, const PaneInput& pane) {
+  constexpr double kTurnSeconds = 9, kLongestStep = 0.2;  // after a stall it goes on where it was
+  if (!w.view.turntable || pane.button >= 0 || w.view.toolHeld || w.view.catchingUp) return false;
+  w.view.camera =
+      w.view.camera.aroundBy(std::min(double(ImGui::GetIO().DeltaTime), kLongestStep) / kTurnSeconds);
+  w.view.cameraMoved = true;
+  return true;
+}
+
 }  // namespace
 
 double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspace, const PaneInput& pane) {
@@ -57,10 +69,15 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   ViewState& view = workspace.view;
   useTool(window.tools, workspace, {useCube(window.cube, frame, pane, view.camera, view.cameraMoved)});
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
-  window.state.moving = pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
+  const bool turns = turnOn(workspace, pane);
+  window.state.moving = turns || pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
   advancePicture(window, scans, workspace, glm::ivec2(pane.size));
   showTexture(pane, window.picture);
-  if (workspace.view.cropBox) drawBoxLines(pane, workspace);
+  if (workspace.view.cropBox) {
+    drawBoxLines(pane, workspace);
+    drawCropHandles(window.tools, workspace, pane);
+  }
+  if (workspace.view.clip.on) drawClipHandle(window.tools, workspace, pane);
   if (skin) drawSkinMarks(window.tools, workspace, pane);
   if (view.crossHairInSpace) {
     window.sight.update(workspace, window.state.moving);
@@ -71,7 +88,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawCube(window.cube, frame, pane, view.camera);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));
-  if (window.picture && window.state.unfinished) return 0;
+  if (turns || (window.picture && window.state.unfinished)) return 0;
   if (skin && (window.skin.preparing() || window.skin.refining())) return kPreparingSeconds;
   return now < window.restsAt ? window.restsAt - now : -1;
 }

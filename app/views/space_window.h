@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/views/cross_hair_marks.h"
+#include "app/views/moving_budget.h"
 #include "app/views/orientation_cube.h"
 #include "app/views/pane.h"
 #include "app/views/picture_state.h"
@@ -36,13 +37,16 @@ struct SpaceWindow {
   ToolState tools;
   OrientationCube cube;
   CrossHairSight sight;
-  gl::Framebuffer picture;
+  gl::Framebuffer picture, behind;  // behind: the surface within a translucent volume
   PictureState state;
   Key drawn;                      // of what the picture shows
   Key failed;                     // of what could not be drawn
-  ObjectsSeen<2> from;            // what both are of
+  ObjectsSeen<3> from;            // what both are of
+  float castRows = 0;             // of a volume that rests: the share of its rows that is cast
   double secondsPerPixel = 1e-6;  // of the last draw
-  double restsAt = 0;             // ImGui's time when a wheel's turn counts as over
+  double pictureSeconds = 0;      // of a picture in the last frame
+  MovingBudget budget;
+  double restsAt = 0;  // ImGui's time when a wheel's turn counts as over
 };
 
 // drawSpaceWindow: the picture and its marks; turns what the mouse did into the camera.

@@ -50,6 +50,11 @@ struct ToolState {
   };
   std::optional<Mark> mark;
   double turns = 0;  // of the wheel in a slice, not yet a whole slice
+  // Of the crop box and the clip plane in 3D: the side that is dragged, and how far its place lay beyond the mouse, mm.
+  struct Drag {
+    Side side;
+    double beyond = 0;
+  } drag;
 };
 
 // use...: one frame of a tool that can be used; those that keep the button set `held`.
@@ -90,5 +95,9 @@ void letGoLampTool(ToolState& state, Workspace& workspace, const ToolPane& pane)
 PaneInput useCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void letGoCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void drawCropBoxTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+
+// In 3D, left drags the handle in the middle of a side of the crop box, or that of the clip plane, along its normal.
+PaneInput useCropFaces(ToolState& state, Workspace& workspace, const ToolPane& pane);
+PaneInput useClipTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 
 }  // namespace sonoskin::ui

@@ -29,13 +29,15 @@ struct ToolRow {
 };
 
 bool showsBox(const Workspace& w) { return w.view.cropBox; }
+bool clips(const Workspace& w) { return w.view.clip.on; }
 bool always(const Workspace&) { return true; }
 PaneInput steerAlone(ToolState&, Workspace&, const ToolPane& pane) { return pane.input; }
 
 constexpr ToolInPane kNothing{}, kSteering{steerAlone}, kLandmark{useLandmarkTool},
     kEraser{useEraser, letGoEraser, drawEraser}, kLasso{useLasso, letGoLasso, drawLasso},
     kMeasure{useMeasureTool, letGoMeasureTool}, kParts{usePartTool, letGoPartTool, drawPartTool},
-    kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool};
+    kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool},
+    kFaces{useCropFaces, letGoCropBoxTool}, kClip{useClipTool};
 
 // clang-format off
 constexpr std::array<ToolRow, kTools.size()> kRows{{
@@ -46,7 +48,8 @@ constexpr std::array<ToolRow, kTools.size()> kRows{{
     {Tool::measure,   true, always,     kMeasure,  kNothing,  true},
     {Tool::parts,    false, showsParts, kNothing,  kParts,    true},
     {Tool::lamp,     false, wantsSkin,  kNothing,  kLamp},
-    {Tool::cropBox,  false, showsBox,   kBox,      kNothing},
+    {Tool::clipPlane,false, clips,      kNothing,  kClip},
+    {Tool::cropBox,  false, showsBox,   kBox,      kFaces},
     {Tool::crossHair, false, always,    kSteering, kSteering},
 }};
 // clang-format on
@@ -73,6 +76,19 @@ const ToolInPane& toolNow(const ToolState& state, const Workspace& w, PaneKind k
   return inPane(state.held ? rowOf(*state.held) : firstRow(w, kind), kind);
 }
 
+// What is left of the mouse. A tool that is not chosen and does not take the button leaves it to those after it.
+PaneInput useAll(ToolState& state, Workspace& w, const ToolPane& pane) {
+  const PaneKind kind = kindOf(pane);
+  if (state.held) return inPane(rowOf(*state.held), kind).use(state, w, pane);
+  ToolPane left = pane;
+  for (const ToolRow& row : kRows) {
+    if (!isUsable(row, w, kind)) continue;
+    left.input = inPane(row, kind).use(state, w, left);
+    if (state.held || row.chosen || row.tool == Tool::parts) break;
+  }
+  return left.input;
+}
+
 void letGo(ToolState& state, Workspace& w, const ToolPane& pane) {
   if (const auto letGoOf = inPane(rowOf(*state.held), kindOf(pane)).letGo) letGoOf(state, w, pane);
   state.held.reset();
@@ -86,7 +102,7 @@ void useTool(ToolState& state, Workspace& workspace, const ToolPane& pane) {
   const bool held = state.held.has_value();
   if (held && (!holdsLeft(pane.input) || !isUsable(rowOf(*state.held), workspace, kindOf(pane))))
     letGo(state, workspace, pane);
-  const PaneInput left = toolNow(state, workspace, kindOf(pane)).use(state, workspace, pane);
+  const PaneInput left = useAll(state, workspace, pane);
   if (held || state.held) workspace.view.toolHeld = state.held.has_value();
   if (pane.slice) {
     steerSlice(workspace.view, pane.slice->plane, workspace.session.scan().volume->geometry, state.turns,

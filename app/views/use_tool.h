@@ -11,7 +11,8 @@ enum class PaneKind { slice, space };
 Tool toolIn(const Workspace& workspace, PaneKind kind);
 
 // useTool: what the mouse does in a view in this frame. The tool that holds it keeps it until the button goes up or the
-// tool is put away; else toolIn has it first. What it leaves steers: cross-hair, slice and grey window, or the camera.
+// tool is put away; else toolIn has it first, and those after it where that one was not chosen and leaves it. What they
+// leave steers: cross-hair, slice and grey window, or the camera.
 void useTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 
 // drawTool: the marks of the tool that has the mouse.

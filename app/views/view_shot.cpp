@@ -1,7 +1,8 @@
 #include "app/views/view_shot.h"
 
+#include <optional>
+
 #include "core/base/error.h"
-#include "render/gl/read_pixels.h"
 #include "render/skin/baked_maps.h"
 
 namespace sonoskin::ui {
@@ -9,28 +10,56 @@ namespace {
 
 constexpr int kSamples = 2;  // along each side of a pixel
 
-void draw(const VolumeScene& scene, const ViewShot& shot, const gl::Framebuffer& picture) {
+Image draw(const VolumeScene& scene, const ViewShot& shot, const PictureOptions& options) {
   GpuVolume volume;
   volume.set(scene.volume);
   GpuMask erased;
   if (shot.erased) erased.set(*shot.erased, shot.erasedKey);
-  Raycaster().draw(raycastInput(scene, volume, shot.erased ? &erased : nullptr, shot.camera, kSamples),
-                   picture);
-}
-
-void draw(const MeshScene& scene, const ViewShot& shot, const gl::Framebuffer& picture) {
   GpuMesh mesh;
   mesh.set(scene.mesh);
-  MeshView().draw(meshInput(scene, mesh, shot.camera, kSamples), picture);
+  std::optional<MeshView> meshView;
+  gl::Framebuffer behindPicture;
+  if (scene.mesh) {
+    meshView.emplace();
+    behindPicture = gl::Framebuffer({.size = options.size});
+  }
+  Raycaster raycaster;
+  return takePictures(options, shot.camera, [&](const Camera& camera, const gl::Target& target) {
+    RaycastInput input = raycastInput(scene, volume, shot.erased ? &erased : nullptr, camera);
+    input.raysPerPixel = kSamples;
+    input.lighting.background = options.background;
+    std::optional<SurfaceBehind> behind;
+    if (meshView) {
+      MeshViewInput within = meshInput(meshWithin(scene), mesh, camera, kSamples);
+      within.lighting.background = options.background;
+      meshView->draw(within, behindPicture);
+      input.behind = &behind.emplace(SurfaceBehind{meshView->buffer(), behindPicture});
+    }
+    raycaster.draw(input, target);
+  });
 }
 
-void draw(const SkinShot& skin, const ViewShot& shot, const gl::Framebuffer& picture) {
+Image draw(const MeshScene& scene, const ViewShot& shot, const PictureOptions& options) {
+  GpuMesh mesh;
+  mesh.set(scene.mesh);
+  MeshView view;
+  return takePictures(options, shot.camera, [&](const Camera& camera, const gl::Target& target) {
+    MeshViewInput input = meshInput(scene, mesh, camera, kSamples);
+    input.lighting.background = options.background;
+    view.draw(input, target);
+  });
+}
+
+Image draw(const SkinShot& skin, const ViewShot& shot, const PictureOptions& options) {
   GpuSkin surface;
   surface.set(skin.surface);
   SkinShot finished = skin;
   finished.quality.diffusion = DiffusionMethod::points;
+  finished.background = options.background;
   SkinViews views;
-  drawSkin(finished, shot.camera, surface, views, {.supersampling = kSamples}, picture);
+  return takePictures(options, shot.camera, [&](const Camera& camera, const gl::Target& target) {
+    drawSkin(finished, camera, surface, views, {.supersampling = kSamples}, target);
+  });
 }
 
 }  // namespace
@@ -56,10 +85,9 @@ SkinShot takeSkinShot(const SpaceWindow& window, const Workspace& w) {
   return window.skin.shot(w);
 }
 
-Image drawShot(const ViewShot& shot, glm::ivec2 size) {
-  const gl::Framebuffer picture({.size = size});
-  std::visit([&](const auto& scene) { draw(scene, shot, picture); }, shot.shown);
-  return gl::readImage(picture);
+Image drawShot(const ViewShot& shot, const PictureOptions& options) {
+  checkPictureSize(options.size);
+  return std::visit([&](const auto& scene) { return draw(scene, shot, options); }, shot.shown);
 }
 
 TexturedMesh bakeShot(const SkinShot& shot, bool light) {

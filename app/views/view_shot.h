@@ -8,6 +8,7 @@
 #include "app/views/space_window.h"
 #include "core/io/image.h"
 #include "core/io/textured_mesh_writer.h"
+#include "render/pictures.h"
 
 namespace sonoskin::ui {
 
@@ -27,7 +28,9 @@ ViewShot takeShot(SpaceWindow& window, const Workspace& workspace);
 SkinShot takeSkinShot(const SpaceWindow& window, const Workspace& workspace);
 
 // drawShot: a picture for a file, four samples per pixel and with finished light; the context that is current draws it.
-Image drawShot(const ViewShot& shot, glm::ivec2 size);
+//   options  size, background and turntable count
+//   errors   Error (usage): the size; whatever the turntable throws
+Image drawShot(const ViewShot& shot, const PictureOptions& options);
 // bakeShot: a surface with the skin's maps, for a file; see render/skin/baked_maps.h.
 TexturedMesh bakeShot(const SkinShot& shot, bool light);
 

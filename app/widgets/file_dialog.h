@@ -27,7 +27,8 @@ enum class FilePurpose {
   saveSkin,
   saveLitSkin,
   savePicture,
-  saveMessages
+  saveMessages,
+  saveTurntable
 };
 
 // FilePurposeText: how the dialog looks for a purpose, and which files it lists and writes.

@@ -52,6 +52,8 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save picture of the 3D view", "Save", true, FileKind::picture};
     case FilePurpose::saveMessages:
       return {"Save messages", "Save", true, FileKind::text};
+    case FilePurpose::saveTurntable:
+      return {"Save turntable of the 3D view", "Save", true, FileKind::picture};
   }
   return {};
 }

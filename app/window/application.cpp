@@ -24,6 +24,7 @@
 #include "core/base/error_text.h"
 #include "core/base/log.h"
 #include "core/base/task_pool.h"
+#include "core/base/timer.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
@@ -168,6 +169,7 @@ void Application::draw() {
     event = window_.beginFrame(widgetKeys_.forFrame());
   });
   if (!begun) return;
+  const Timer timer;
   workspace_.view.catchingUp = window_.eventsWait();
   attempt([&] { takeInput(event); });
   attempt([this] { updateDocument(); });
@@ -181,6 +183,7 @@ void Application::draw() {
     window_.endFrame();
   });
   if (!workspace_.view.catchingUp) lookForGlErrors();
+  workspace_.view.frameSeconds = timer.seconds();
 }
 
 // Of several the newest is asked for; the others wait for the next start.
@@ -223,6 +226,8 @@ void Application::drawInterface() {
   ui::drawHistory(workspace_);
   ui::drawPalette(workspace_);
   ui::drawQuestion(workspace_);
+  ui::drawPictureQuestion(workspace_);
+  ui::drawColoursWindow(workspace_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
   ui::drawLostVolume(workspace_);

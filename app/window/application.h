@@ -53,6 +53,7 @@ class Application {
   void saveMessages(const std::filesystem::path& path);
   void saveSkin(const std::filesystem::path& path, bool light);
   void savePicture(const std::filesystem::path& path);
+  void saveTurntable(const std::filesystem::path& path);
   BackgroundContext& background();
   bool attempt(const std::function<void()>& action);  // whether it ended well
   double waitSeconds() const;

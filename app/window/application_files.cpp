@@ -3,16 +3,23 @@
 
 #include <utility>
 
+#include "app/batch/turntable_files.h"
 #include "app/texts/texts.h"
 #include "app/views/view_shot.h"
 #include "app/window/application.h"
 #include "app/workspace/session_actions.h"
+#include "core/base/error.h"
 #include "core/io/atomic_file.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr glm::ivec2 kPictureSize{1280, 960};
+PictureOptions optionsOf(const PictureFormat& format) {
+  PictureOptions options;
+  options.size = {format.size[0], format.size[1]};
+  options.background = !format.transparent;
+  return options;
+}
 
 }  // namespace
 
@@ -60,6 +67,8 @@ void Application::act(const ui::FileChoice& choice) {
       return savePicture(choice.path);
     case ui::FilePurpose::saveMessages:
       return saveMessages(choice.path);
+    case ui::FilePurpose::saveTurntable:
+      return saveTurntable(choice.path);
   }
 }
 
@@ -79,12 +88,30 @@ void Application::saveSkin(const std::filesystem::path& path, bool light) {
 }
 
 void Application::savePicture(const std::filesystem::path& path) {
-  auto make = [&context = background(), shot = ui::takeShot(views_.space, workspace_)] {
+  auto write = [path, &context = background(), shot = ui::takeShot(views_.space, workspace_),
+                options = optionsOf(workspace_.pictureFormat)](const Progress&) {
     Image image;
-    context.use([&] { image = ui::drawShot(shot, kPictureSize); });
-    return image;
+    context.use([&] { image = ui::drawShot(shot, options); });
+    writePng(path, image);
   };
-  workspace_.session.savePicture(path, std::move(make), ui::showsMesh(workspace_));
+  workspace_.session.savePicture(path, std::move(write), ui::showsMesh(workspace_));
+}
+
+void Application::saveTurntable(const std::filesystem::path& path) {
+  const int views = workspace_.pictureFormat.views;
+  if (const std::string taken = TurntableFiles::taken(path); !taken.empty())
+    throw Error(fmt::format("{} is there already; choose another name.", taken));
+  auto write = [path, views, &context = background(), shot = ui::takeShot(views_.space, workspace_),
+                options = optionsOf(workspace_.pictureFormat)](const Progress& progress) mutable {
+    TurntableFiles files(path, views);
+    options.turntable = {views, [&](int view, Image picture) {
+                           files.write(view, std::move(picture));
+                           progress.update(0.9 * (view + 1) / views);
+                         }};
+    context.use([&] { ui::drawShot(shot, options); });
+    files.finish(progress.cancelOnly());
+  };
+  workspace_.session.savePicture(path, std::move(write), ui::showsMesh(workspace_));
 }
 
 }  // namespace sonoskin

@@ -36,6 +36,13 @@ void toggleMessages(W& w) {
     w.toasts.log.open();
 }
 
+void editColours(W& w) {
+  w.view.volume.edited = !w.view.volume.edited;
+  if (!w.view.volume.edited) return;
+  w.view.content = SpaceContent::volume;
+  w.view.volumeStyle = VolumeStyle::translucent;
+}
+
 // clang-format off
 const Command kCommands[] = {
   {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtFace(); }, hasScan},
@@ -61,6 +68,9 @@ const Command kCommands[] = {
   {"view.skin", "3D: skin", Menu::view, key(GLFW_KEY_S), [](W& w) { showMesh(w, MeshStyle::skin); }, hasMesh, showsSkin},
   {"view.unmeasured", "Mark what was not measured", Menu::view, {}, [](W& w) { w.view.unmeasured = !w.view.unmeasured; },
    hasMesh, [](const W& w) { return w.view.unmeasured; }},
+  {"view.colours", "Colours of the volume", Menu::view, {}, editColours, hasScan, [](const W& w) { return w.view.volume.edited; }},
+  {"view.turntable", "Turntable", Menu::view, key(GLFW_KEY_T), [](W& w) { w.view.turntable = !w.view.turntable; },
+   hasScan, [](const W& w) { return w.view.turntable; }},
   {"view.lamp", "Lamp in the skin view", Menu::view, key(GLFW_KEY_K),
    [](W& w) { w.view.skin.lamp = !w.view.skin.lamp; }, showsSkin, [](const W& w) { return w.view.skin.lamp; }},
   {"view.maximise", "3D view alone", Menu::view, key(GLFW_KEY_F), [](W& w) { toggleMaximised(w, Pane::space); },

@@ -16,7 +16,7 @@ namespace sonoskin {
 constexpr std::array<const char*, 3> enumNames(SliceLayer) { return {"raw", "classified", "thinned"}; }
 constexpr std::array<const char*, 2> enumNames(VolumeLayer) { return {"raw", "classified"}; }
 constexpr std::array<const char*, 2> enumNames(SpaceContent) { return {"volume", "mesh"}; }
-constexpr std::array<const char*, 2> enumNames(VolumeStyle) { return {"surface", "translucent"}; }
+constexpr std::array<const char*, 3> enumNames(VolumeStyle) { return {"surface", "translucent", "maximum"}; }
 constexpr std::array<const char*, 2> enumNames(MeshStyle) { return {"clay", "skin"}; }
 constexpr std::array<const char*, 4> enumNames(Pane) { return {"axial", "space", "sagittal", "coronal"}; }
 constexpr std::array<const char*, 3> enumNames(SkinCompare) { return {"off", "scatter", "settings"}; }
@@ -80,6 +80,39 @@ void fields(F&& f, O& o) {
 }
 
 template <class F, class O>
+requires OptionsOf<O, TransferFunction::Point>
+void fields(F&& f, O& o) {
+  f("value", o.value, Range{0.f, 1.f});
+  f("colour", o.colour, Range{0.f, 1.f});
+  f("opacity", o.opacity, Range{0.f, 1.f});
+}
+
+template <class F, class O>
+requires OptionsOf<O, LevelledTransfer>
+void fields(F&& f, O& o) {
+  f("points", o.function.points);
+  f("level", o.level, Range{0.f, 1.f});
+}
+
+template <class F, class O>
+requires OptionsOf<O, VolumeShow>
+void fields(F&& f, O& o) {
+  f("colours", o.colours);
+  f("own", o.own);
+  f("changed", o.changed);
+  f("shadows", o.shadows);
+  f("mesh", o.mesh);
+}
+
+template <class F, class O>
+requires OptionsOf<O, ClipShow>
+void fields(F&& f, O& o) {
+  f("on", o.on);
+  f("normal", o.plane.normal, Range{-1.f, 1.f});
+  f("offset", o.plane.offset);
+}
+
+template <class F, class O>
 requires OptionsOf<O, ViewState>
 void fields(F&& f, O& o) {
   f("cursor", o.cursor);
@@ -103,6 +136,8 @@ void fields(F&& f, O& o) {
   f("unmeasured", o.unmeasured);
   f("parts", o.parts);
   f("volumeLevel", o.volumeLevel, Range{0.0, 1.0});
+  f("volume", o.volume);
+  f("clip", o.clip);
   f("skin", o.skin);
   f("camera", o.camera);
   f("brushRadius", o.brushRadius, Range{kLeastBrush, kMostBrush});

@@ -1,5 +1,8 @@
 #include "app/workspace/view_file.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/workspace/view_fields.h"
 #include "app/workspace/view_json.h"
 
@@ -12,6 +15,12 @@ bool isUpright(const Camera& camera) {
   return std::abs(glm::length(camera.forward) - 1) < kClose &&
          std::abs(glm::length(camera.up) - 1) < kClose &&
          std::abs(glm::dot(camera.forward, camera.up)) < kClose;
+}
+
+// A transfer function of one's own that can be drawn: the preset's takes its place else.
+bool isDrawable(const TransferFunction& transfer) {
+  return transfer.points.size() >= 2 &&
+         std::ranges::is_sorted(transfer.points, {}, &TransferFunction::Point::value);
 }
 
 }  // namespace
@@ -30,6 +39,8 @@ void readViews(const std::string& json, ViewState& view) {
   if (!isUpright(view.camera)) view.camera = before;
   if (!isQuarterTurn(view.orientation.turn)) view.orientation = turned;
   std::erase_if(view.measures, [](const Measure& measure) { return !isComplete(measure); });
+  if (view.volume.own && !isDrawable(view.volume.own->function)) view.volume.own.reset();
+  if (std::abs(glm::length(view.clip.plane.normal) - 1) > 1e-3f) view.clip = {};
 }
 
 }  // namespace sonoskin

@@ -53,6 +53,8 @@ void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
   view.slices.fill({.pan = {0, 0}, .zoom = 0.92});  // a margin for the marks
   view.volumeLevel.reset();
   view.maximised.reset();
+  view.clip = {};
+  view.turntable = false;
   const ViewFrame frame = viewFrameOf(scan, beam, view.orientation);
   view.planes = planeAxes(g, frame);
   resetCamera(view, frame, worldBox(g));

@@ -8,6 +8,7 @@
 #include "app/document/measures.h"
 #include "app/document/view_planes.h"
 #include "app/workspace/tool.h"
+#include "app/workspace/volume_show.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/pipeline.h"
 #include "core/volume/scan.h"
@@ -21,7 +22,6 @@ namespace sonoskin {
 enum class SliceLayer { raw, classified, thinned };
 enum class VolumeLayer { raw, classified };
 enum class SpaceContent { volume, mesh };
-enum class VolumeStyle { surface, translucent };
 enum class MeshStyle { clay, skin };
 
 // Pane: one of the four views.
@@ -100,7 +100,10 @@ struct ViewState {
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;
+  VolumeShow volume;
+  ClipShow clip;
   Camera camera;
+  bool turntable = false;    // the camera goes round and round what it looks at
   bool cameraMoved = false;  // by the person, since it was last reset
 
   // What a person has chosen for the left button; where it is the cross-hair, what is shown has a say: see useTool.
@@ -117,6 +120,7 @@ struct ViewState {
   std::optional<Pane> maximised;
   // catchingUp: this frame is not shown, for input of another one waits; the views keep their pictures.
   bool catchingUp = false;
+  double frameSeconds = 0;  // that the window worked at its last frame
 };
 
 // kLeastBrush, kMostBrush: the smallest and the largest ball of the eraser, mm.

@@ -17,13 +17,14 @@ void Workspace::confirmLoss(const std::string& what, std::function<void()> actio
 bool Workspace::isModified() const { return session.hasUnsavedWork() || !(marksKey(view) == savedMarks); }
 
 bool Workspace::isAsked() const {
-  return question || choice || rawQuestion || lostVolume || recovery || !dropped.empty();
+  return question || choice || rawQuestion || lostVolume || recovery || pictureRequest || !dropped.empty();
 }
 
 void Workspace::dropQuestions() {
   question.reset();
   choice.reset();
   rawQuestion.reset();
+  pictureRequest.reset();
   lostVolume.reset();
   dropped.clear();
   recovery.reset();

@@ -11,7 +11,9 @@
 #include "app/widgets/toasts.h"
 #include "app/workspace/commands.h"
 #include "app/workspace/help_state.h"
+#include "app/workspace/picture_request.h"
 #include "app/workspace/settings.h"
+#include "app/workspace/shown_volume.h"
 #include "app/workspace/step.h"
 #include "app/workspace/time_left.h"
 #include "app/workspace/time_play.h"
@@ -80,6 +82,9 @@ struct Workspace {
   std::uint64_t noted = 0;            // which opened scan is among the recent files
   Key savedMarks;                     // of the measures that were saved last
   TimePlay play;
+  VolumeHistogram histogram;
+  PictureFormat pictureFormat;
+  std::optional<PictureRequest> pictureRequest;
   std::optional<std::vector<UserPreset>> presets;  // the person's own; not read yet
   std::optional<std::string> presetName;           // of one that is about to be kept, while it is typed
   bool keysShown = false, aboutShown = false, historyShown = false;

@@ -17,7 +17,7 @@ std::size_t binOf(float value) { return std::size_t(int(std::clamp(value * kBins
 
 }  // namespace
 
-double quantile(const Volume<float>& volume, double share, const Progress& progress) {
+std::vector<std::uint64_t> histogram(const Volume<float>& volume, const Progress& progress) {
   const std::size_t slice = volume.geometry.index(0, 0, 1);
   std::vector<Counts> perSlice(std::size_t(volume.geometry.dims.z), Counts{});
   parallelFor(
@@ -35,10 +35,18 @@ double quantile(const Volume<float>& volume, double share, const Progress& progr
           for (std::size_t bin = 0; bin < kBins; ++bin) perSlice[std::size_t(k)][bin] += lane[bin];
       },
       progress);
+  std::vector<std::uint64_t> sum(kBins);
+  for (const Counts& counts : perSlice)
+    for (std::size_t bin = 0; bin < kBins; ++bin) sum[bin] += counts[bin];
+  return sum;
+}
+
+double quantile(const Volume<float>& volume, double share, const Progress& progress) {
+  const std::vector<std::uint64_t> counts = histogram(volume, progress);
   const double wanted = share * double(volume.data.size());
   double below = 0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
-    for (const Counts& counts : perSlice) below += counts[bin];
+    below += double(counts[bin]);
     if (below >= wanted) return double(bin + 1) / kBins;
   }
   return 1;

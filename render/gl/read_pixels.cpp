@@ -6,14 +6,14 @@
 
 namespace sonoskin::gl {
 
-Image readImage(const Framebuffer& framebuffer) {
+Image readImage(const Framebuffer& framebuffer, bool alpha) {
   const glm::ivec2 size = framebuffer.size();
   const std::size_t row = std::size_t(size.x) * 4;
   std::vector<std::uint8_t> bottomUp(row * std::size_t(size.y));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(framebuffer.colour().name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(bottomUp.size()),
                     bottomUp.data());
-  for (std::size_t alpha = 3; alpha < bottomUp.size(); alpha += 4) bottomUp[alpha] = 255;
+  for (std::size_t i = 3; i < bottomUp.size() && !alpha; i += 4) bottomUp[i] = 255;
   Image image;
   image.width = size.x;
   image.height = size.y;

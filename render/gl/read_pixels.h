@@ -8,8 +8,8 @@
 
 namespace sonoskin::gl {
 
-// readImage: the first colour of an rgba8 framebuffer as a picture, top row first, opaque.
-Image readImage(const Framebuffer& framebuffer);
+// readImage: the first colour of an rgba8 framebuffer as a picture, top row first, opaque unless its alpha is asked for.
+Image readImage(const Framebuffer& framebuffer, bool alpha = false);
 
 // readFloats: the texels of a colour or depth texture as floats, bottom row and first slice first, `components` per texel
 // (1 for depth and one-channel formats, 4 for RGBA).

@@ -127,14 +127,19 @@ FinalPass::FinalPass()
       detail_(makeDetailTile()),
       specularTable_(specularTexture()) {}
 
+void FinalPass::setBackdrop(gl::Program& program, const Backdrop& backdrop) {
+  program.set("backgroundTop", backdrop.top);
+  program.set("backgroundBottom", backdrop.bottom);
+  program.set("backdrop", backdrop.shown ? 1.0f : 0.0f);
+}
+
 void FinalPass::copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart) {
   if (backdrop != backdropOf_) {
     backdrop_.fit(backdrop.size);
     backdrop_.bind();
     glDisable(GL_SCISSOR_TEST);
     gl::Program& p = programs_.use("skin/background.frag", {});
-    p.set("backgroundTop", backdrop.top);
-    p.set("backgroundBottom", backdrop.bottom);
+    setBackdrop(p, backdrop);
     gl::drawFullScreen();
     backdropOf_ = backdrop;
   }
@@ -157,6 +162,7 @@ void FinalPass::drawSurface(const SkinViewInput& input, const Canvas& canvas) {
   glDisable(GL_BLEND);
   surfaceProgram_.use();
   surfaceProgram_.set("viewProjection", canvas.projection * input.camera.view());
+  const ClipInUse clipped(surfaceProgram_, input.clip);
   input.surface.parts().draw();
 }
 
@@ -231,7 +237,7 @@ void FinalPass::draw(const SkinViewInput& input, LightPasses& light, const gl::T
   if (const int level = levelShown(input.pass)) light.drawLevel(input.surface, level);
   drawSurface(input, canvas);
   const Lighting studio = portraitLighting(input.camera);
-  const Backdrop backdrop{canvas.size, studio.backgroundTop, studio.backgroundBottom};
+  const Backdrop backdrop{canvas.size, studio.backgroundTop, studio.backgroundBottom, input.background};
   if (input.supersampling > 1) {
     drawInBands(input, light, canvas, backdrop, target);
     return;
@@ -255,7 +261,7 @@ void FinalPass::drawInBands(const SkinViewInput& input, const LightPasses& light
                             const Backdrop& backdrop, const gl::Target& target) {
   const glm::mat4 viewProjection = canvas.projection * input.camera.view();
   const gl::Texture& outline =
-      outline_.draw(canvas.size, viewProjection, [&] { input.surface.parts().draw(); });
+      outline_.draw(canvas.size, viewProjection, input.clip, [&] { input.surface.parts().draw(); });
   const int rows = kBandRows * input.supersampling;
   samples_.fit({canvas.size.x, std::min(rows, canvas.size.y)});
   for (int first = 0; first < canvas.size.y; first += rows) {
@@ -281,8 +287,7 @@ void FinalPass::resolve(const SkinViewInput& input, const Backdrop& backdrop, co
   bindTo(p, "outlineMap", 1, outline);
   p.set("perSide", input.supersampling);
   p.set("firstRow", firstRow);
-  p.set("backgroundTop", backdrop.top);
-  p.set("backgroundBottom", backdrop.bottom);
+  setBackdrop(p, backdrop);
   gl::drawFullScreen();
 }
 

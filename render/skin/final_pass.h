@@ -24,8 +24,10 @@ class FinalPass {
   struct Backdrop {
     glm::ivec2 size{0};
     glm::vec3 top{0}, bottom{0};
+    bool shown = true;
     friend bool operator==(const Backdrop&, const Backdrop&) = default;
   };
+  static void setBackdrop(gl::Program& program, const Backdrop& backdrop);
   void copyBackdrop(const Backdrop& backdrop, const gl::Target& to, glm::vec2 shownPart);
   // Canvas: what a picture's samples are drawn on.
   //   size   pixels, or samples of them

@@ -56,7 +56,8 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
   const SkinLook skin{parameters.skin, parameters.landmarks,
                       makeLightRig(lightsOf(parameters, options, camera, home), home, box)};
   const bool integrates = look.quality.diffusion == DiffusionMethod::reference;  // the longest part then
-  const SkinSight sight = integrates ? SkinSight{} : sightOf(camera, options.size, box, parameters.skin);
+  const bool allAround = integrates || options.turntable;
+  const SkinSight sight = allAround ? SkinSight{} : sightOf(camera, options.size, box, parameters.skin);
   const auto surface =
       prepareSkin(std::move(mesh), home.back, look.quality, sight, progress.part(0, integrates ? 0.1 : 0.8));
 
@@ -71,17 +72,22 @@ Image pictureOfSkin(gl::Context& context, std::shared_ptr<const Mesh> mesh, cons
     view.relight(gpu, skin, look.quality, lit);
   else
     view.relightOnce(gpu, skin, look.quality, lit);
-  const gl::Framebuffer picture({.size = options.size});
-  view.draw({.surface = gpu,
-             .camera = camera,
-             .look = skin,
-             .quality = look.quality,
-             .supersampling = kSupersampling,
-             .pass = look.pass,
-             .unseenShade = options.unseenShade},
-            picture);
+  const ClipPlane clip = parseClip(options.clip, camera, box);
+  Image picture = takePictures(options, camera, [&](const Camera& place, const gl::Target& target) {
+    progress.throwIfCancelled();
+    view.draw({.surface = gpu,
+               .camera = place,
+               .look = skin,
+               .quality = look.quality,
+               .supersampling = kSupersampling,
+               .pass = look.pass,
+               .unseenShade = options.unseenShade,
+               .background = options.background,
+               .clip = clip},
+              target);
+  });
   progress.update(1);
-  return gl::readImage(picture);
+  return picture;
 }
 
 }  // namespace sonoskin

@@ -7,6 +7,7 @@
 #include "core/skin/skin_options.h"
 #include "core/skin/skin_surface.h"
 #include "render/camera.h"
+#include "render/clip_plane.h"
 #include "render/gl/framebuffer.h"
 #include "render/skin/light_rig.h"
 
@@ -83,6 +84,8 @@ class GpuSkin {
 //   shownPart      left and right limit of the picture's columns that are drawn, 0 to 1: split views draw twice
 //   steps          how many of the light passes may run now; those that are left run with the next draws, and the light
 //                  that has spread is the last complete one meanwhile
+//   background     without it, what is not covered is transparent
+//   clip           cuts the surface as the camera sees it; light enters and spreads as in the whole one
 struct SkinViewInput {
   const GpuSkin& surface;
   const Camera& camera;
@@ -93,6 +96,8 @@ struct SkinViewInput {
   glm::vec2 shownPart{0, 1};
   int steps = 1000;
   float unseenShade = 0;
+  bool background = true;
+  ClipPlane clip{};
 };
 
 // LightState: how far the light of a picture of skin has come, in this order.

@@ -4,6 +4,11 @@ vec3 toSrgb(vec3 linear) {
   return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// The other way.
+vec3 fromSrgb(vec3 encoded) {
+  return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), step(0.04045, encoded));
+}
+
 // Scene-linear -> display-linear. Leaves everything below 0.76 as it is, so that albedos keep their colour, and
 // compresses highlights toward white. [Khronos PBR Neutral tone mapper, without its Fresnel offset]
 vec3 toneMap(vec3 colour) {

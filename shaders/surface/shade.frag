@@ -20,6 +20,7 @@ uniform sampler2D occlusionMap;  // see surface/occlusion.frag
 uniform float unseenShade;    // 0 to 1: how far regions that the probe cannot have seen are greyed
 uniform float exposure;
 uniform vec3 backgroundTop, backgroundBottom;
+uniform float backdrop;       // 1 or 0: whether there is a background
 
 layout(location = 0) out vec4 colour;
 
@@ -121,7 +122,8 @@ void main() {
 #else
   float covered = shaded / float(max(count, 1));
 #endif
-  vec3 linear = mix(background, sum / max(shaded, 1.0), shaded > 0.0 ? covered : 0.0);
+  covered = shaded > 0.0 ? covered : 0.0;
+  vec3 linear = mix(background, sum / max(shaded, 1.0), backdrop > 0.0 ? covered : 1.0);
   float dither = (pixelNoise(gl_FragCoord.xy) - 0.5) / 255.0;
-  colour = vec4(toSrgb(linear) + dither, 1.0);
+  colour = vec4(toSrgb(linear) + dither, max(covered, backdrop));
 }

@@ -1,5 +1,6 @@
 // The ray of a pixel through a volume. Positions are voxel indices (a voxel's centre is at whole numbers); t is the
-// depth along the view's middle in mm, so rays of a perspective are not of unit length. Variant: ERASED.
+// depth along the view's middle in mm, so rays of a perspective are not of unit length. Variants: ERASED; BEHIND: rays end at
+// a surface that is drawn already.
 uniform float perspective;                 // 1: rays meet at the eye; 0: they are parallel (a far light's view)
 uniform vec3 eyeIndex;                     // the eye, in voxel indices
 uniform vec3 rayCentre, rayRight, rayUp;   // voxel indices: the middle per mm, and what the edges add
@@ -8,10 +9,16 @@ uniform ivec3 dims;
 uniform vec3 boxMin, boxMax;               // the part that is shown, in voxel indices
 uniform float stepLength;                  // mm along the ray
 uniform sampler3D bricks;
+uniform vec4 clip;                         // kept is where dot(clip.xyz, index) + clip.w >= 0
 
 #ifdef ERASED
 uniform sampler3D erased;                  // bytes: 0 or not
 uniform vec3 erasedScale, erasedOffset;    // from voxel indices to places in it
+#endif
+
+#ifdef BEHIND
+uniform sampler2D behindDepth;             // of the surface, as the same camera sees it
+uniform vec2 behindTerms;                  // t = behindTerms.x / (behindTerms.y - depth)
 #endif
 
 const float brickSide = 8.0;
@@ -21,6 +28,7 @@ struct Ray {
   vec3 direction;   // voxel indices per unit of t
   float from, to;   // where it enters and leaves the box; from >= to where it misses
   float step;       // stepLength in units of t
+  bool cut;         // whether it enters where the plane cuts
 };
 
 vec3 nonZero(vec3 v) { return mix(v, vec3(1e-9), lessThan(abs(v), vec3(1e-9))); }
@@ -37,6 +45,15 @@ Ray makeRay(vec2 uv) {
   vec3 enter = min(t0, t1), leave = max(t0, t1);
   ray.from = max(max(enter.x, max(enter.y, enter.z)), 0.0);
   ray.to = min(leave.x, min(leave.y, leave.z));
+  float along = dot(clip.xyz, ray.direction);
+  float place = -(dot(clip.xyz, ray.origin) + clip.w) / (abs(along) < 1e-9 ? 1e-9 : along);
+  ray.cut = along > 0.0 && place > ray.from;
+  ray.from = along < 0.0 ? ray.from : max(ray.from, place);
+  ray.to = along < 0.0 ? min(ray.to, place) : ray.to;
+#ifdef BEHIND
+  float depth = texelFetch(behindDepth, ivec2(uv * vec2(textureSize(behindDepth, 0))), 0).r;
+  ray.to = depth < 1.0 ? min(ray.to, behindTerms.x / (behindTerms.y - depth)) : ray.to;
+#endif
   return ray;
 }
 

@@ -55,8 +55,9 @@ vec3 outwardNormal(vec3 index) {
   return dot(normal, normal) > 1e-12 ? normalize(normal) : -viewCentre;
 }
 
-// The outward normal of the side of the box at which a ray enters.
-vec3 sideNormal(vec3 index) {
+// The outward normal of the side of the box, or of the plane, at which a ray enters.
+vec3 sideNormal(vec3 index, bool cut) {
+  if (cut) return normalize(gradientToWorld * -clip.xyz);
   vec3 low = abs(index - boxMin), high = abs(index - boxMax);
   vec3 nearer = min(low, high);
   vec3 axis = vec3(lessThanEqual(nearer, vec3(min(nearer.x, min(nearer.y, nearer.z)))));
@@ -74,7 +75,7 @@ void main() {
   if (!atSide) t = refined(ray, t);
   vec3 index = ray.origin + t * ray.direction;
   // Where the box cuts through tissue, one looks at its inside.
-  surface = atSide ? innerSurface(sideNormal(index), 1.0) : outerSurface(outwardNormal(index), 1.0);
+  surface = atSide ? innerSurface(sideNormal(index, ray.cut), 1.0) : outerSurface(outwardNormal(index), 1.0);
   gl_FragDepth = clamp(depthTerms.y - depthTerms.x / t, 0.0, 1.0);
 #endif
 }

@@ -1,5 +1,5 @@
 // Direct volume rendering: emission and absorption front to back, lit by stored gradients and by how much of the
-// key light reaches each place. Premultiplied, scene-linear.
+// key light reaches each place. Premultiplied, scene-linear. Variant: SHADOWLESS: all of it does.
 #include "common/lighting.glsl"
 #include "common/noise.glsl"
 #include "volume/ray.glsl"
@@ -7,8 +7,10 @@
 in vec2 uv;
 
 uniform sampler3D shades;      // gradient and value, see render/gpu_volume.h
+#ifndef SHADOWLESS
 uniform sampler3D lightMap;    // share of the key light that arrives, 0 to 1
 uniform vec3 lightScale;       // 1 / the voxels that the light map spans
+#endif
 uniform sampler2D transfer;    // by value: colour, and opacity of one step
 uniform float threshold;       // values up to this are transparent
 uniform vec3 keyAxes, fillAxes;  // toward the lights, along the volume's axes
@@ -40,10 +42,14 @@ void main() {
     float surfaceness = clamp(6.0 * strength, 0.0, 1.0);
     float key = mix(0.55, max(0.25 + 0.85 * dot(normal, keyAxes), 0.0), surfaceness);
     float fill = mix(0.5, max(0.3 + 0.7 * dot(normal, fillAxes), 0.0), surfaceness);
+#ifdef SHADOWLESS
+    vec3 light = keyColour * key + fillColour * fill + ambientColour;
+#else
     float arriving = texture(lightMap, (index + 0.5) * lightScale).r;
     // Light that has travelled through tissue comes out redder.
     vec3 tint = pow(vec3(arriving), vec3(0.7, 1.0, 1.25));
     vec3 light = keyColour * key * tint + fillColour * fill + ambientColour * (0.35 + 0.65 * arriving);
+#endif
     sum += through * look.a * look.rgb * light;
     through *= 1.0 - look.a;
     t += ray.step;

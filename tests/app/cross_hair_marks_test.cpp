@@ -19,7 +19,7 @@ TEST(CrossHairSight, AVolumeHidesWhatIsBehindItsSurface) {
   EXPECT_FALSE(isBehindVolume(scene, eye, glm::vec3(g.toWorld({10, 5, 10}))));
   EXPECT_FALSE(isBehindVolume(scene, eye, glm::vec3(g.toWorld({10, 15, 10})))) << "on the wall itself";
   EXPECT_TRUE(isBehindVolume(scene, eye, glm::vec3(g.toWorld({10, 25, 10}))));
-  scene.cropMin.y = 0.6f;
+  scene.part.cropMin.y = 0.6f;
   EXPECT_FALSE(isBehindVolume(scene, eye, glm::vec3(g.toWorld({10, 25, 10}))));
 }
 

@@ -19,7 +19,7 @@ constexpr FilePurpose kPurposes[] = {
     FilePurpose::open,       FilePurpose::findVolume,  FilePurpose::openSession, FilePurpose::saveSession,
     FilePurpose::openErased, FilePurpose::saveErased,  FilePurpose::openRecipe,  FilePurpose::saveRecipe,
     FilePurpose::saveMesh,   FilePurpose::savePrint,   FilePurpose::saveScan,    FilePurpose::saveClassified,
-    FilePurpose::saveSkin,   FilePurpose::saveLitSkin, FilePurpose::savePicture};
+    FilePurpose::saveSkin,   FilePurpose::saveLitSkin, FilePurpose::savePicture, FilePurpose::saveTurntable};
 
 // A dialog that lists and takes what the readers and writers take: nothing else, and all of it.
 TEST(FileDialog, OffersWhatCanBeReadAndWritten) {

@@ -147,8 +147,9 @@ TEST(SessionExport, PicturesHaveTheRecipeOfWhatTheyShow) {
     Image image;
     image.width = image.height = 1;
     image.rgba = {1, 2, 3, 255};
+    const fs::path file = folder / "view.png";
     session.savePicture(
-        folder / "view.png", [image] { return image; }, showsMesh);
+        file, [file, image](const Progress&) { writePng(file, image); }, showsMesh);
     EXPECT_TRUE(wait(session));
     Parameters read;
     readRecipe(readText(folder / "view.recipe.json", kMostRecipeBytes), read);

@@ -73,7 +73,10 @@ class UseTool : public ImGuiTest {
 
 TEST_F(UseTool, WhatIsShownOrChosenHasTheButton) {
   EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::cropBox);
-  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::crossHair);
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::cropBox);
+  view.clip.on = true;
+  EXPECT_EQ(toolIn(workspace, PaneKind::space), Tool::clipPlane);
+  view.clip.on = false;
   view.cropBox = false;
   EXPECT_EQ(toolIn(workspace, PaneKind::slice), Tool::crossHair);
   view.sliceTool = Tool::eraser;

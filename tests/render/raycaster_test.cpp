@@ -7,6 +7,7 @@
 
 #include "render/gl/read_pixels.h"
 #include "render/light_volume.h"
+#include "render/mesh_view.h"
 #include "tests/render/support/gl_test.h"
 
 namespace sonoskin {
@@ -156,9 +157,11 @@ TEST_F(RaycasterTest, MoreRaysSmoothTheEdge) {
 TEST_F(RaycasterTest, CroppingCutsTheBallOpen) {
   camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
   target_ = gl::Framebuffer({.size = kSize});
-  raycaster_.draw(
-      {.volume = volume_, .camera = camera_, .lighting = portraitLighting(camera_), .cropMin = {0, 0.5f, 0}},
-      target_);
+  raycaster_.draw({.volume = volume_,
+                   .camera = camera_,
+                   .lighting = portraitLighting(camera_),
+                   .part = {.cropMin = {0, 0.5f, 0}}},
+                  target_);
   const auto surfaces = gl::readFloats(raycaster_.surface().colour(), 4);
   const std::size_t middle = std::size_t(60 * kSize.x + 80) * 4;
   const glm::vec3 normal(surfaces[middle], surfaces[middle + 1], surfaces[middle + 2]);
@@ -268,6 +271,155 @@ TEST_F(RaycasterTest, LightBelongsToItsVolume) {
     for (int i = 0; i < turns; ++i) volume_.set(withWall(10 + i + turns, 14 + i + turns));
     Raycaster fresh;
     EXPECT_EQ(draw(raycaster_), draw(fresh)) << turns;
+  }
+}
+
+// Every ray has the largest value that lies on it, whatever bricks it leaps over.
+TEST_F(RaycasterTest, MaximumIsTheLargestValueAlongEachRay) {
+  Geometry g;
+  g.dims = glm::ivec3(33);
+  Volume<float> volume(g);
+  for (int k = 0; k < 33; ++k)
+    for (int j = 0; j < 33; ++j)
+      for (int i = 0; i < 33; ++i) volume.at(i, j, k) = 0.1f + 0.02f * float((7 * i + 3 * k) % 5);
+  for (int k = 0; k < 33; ++k) {
+    for (int i = 0; i < 33; ++i) volume.at(i, 4, k) = volume.at(i, 5, k) = 0.4f;  // a dim sheet in front
+    for (int j = 20; j < 24; ++j)
+      for (int i = 10; i < 20; ++i) volume.at(i, j, k) = 0.8f;  // a bright bar behind
+  }
+  volume_.set(std::make_shared<Volume<float>>(volume));
+  camera_ = parseCamera("front,zoom=1.5", Beam{}, worldBox(g), 1);
+  target_ = gl::Framebuffer({.size = {64, 64}});
+  RaycastInput input{.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .look = VolumeLook::maximum};
+  raycaster_.draw(input, target_);
+  const auto seen = gl::readFloats(raycaster_.translucent().colour(), 4);
+  const auto at = [&](int x, int y) { return seen[std::size_t(4 * (64 * y + x) + 3)]; };
+  EXPECT_NEAR(at(32, 32), 0.8, 0.01);  // behind the sheet
+  EXPECT_NEAR(at(50, 32), 0.4, 0.01);  // beside the bar
+  // The window: what is below it is black.
+  input.window = {0.6f, 0.2f};
+  raycaster_.draw(input, target_);
+  const auto windowed = gl::readFloats(raycaster_.translucent().colour(), 4);
+  EXPECT_EQ(windowed[std::size_t(4 * (64 * 32 + 50) + 3)], 0);
+  EXPECT_NEAR(windowed[std::size_t(4 * (64 * 32 + 32) + 3)], 1, 0.01);
+}
+
+TEST_F(RaycasterTest, APlaneCutsTheBallOpen) {
+  camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+  target_ = gl::Framebuffer({.size = kSize});
+  RaycastInput input{.volume = volume_, .camera = camera_, .lighting = portraitLighting(camera_)};
+  input.part.clip = clipPlaneThrough(glm::vec3(kCentre) + 3.0f * camera_.forward, camera_.forward);
+  raycaster_.draw(input, target_);
+  const std::size_t middle = std::size_t(kSize.y / 2 * kSize.x + kSize.x / 2);
+  const float depth = gl::readFloats(raycaster_.surface().depth(), 1)[middle];
+  const glm::vec2 terms = depthTerms(camera_.projection(4.0f / 3, worldBox(volume_.geometry())));
+  EXPECT_NEAR(terms.x / (terms.y - depth), camera_.distance + 3, 0.05);
+  const auto surfaces = gl::readFloats(raycaster_.surface().colour(), 4);
+  const glm::vec3 normal(surfaces[4 * middle], surfaces[4 * middle + 1], surfaces[4 * middle + 2]);
+  EXPECT_LT(glm::length(normal + camera_.forward), 1e-3f);
+  EXPECT_LT(surfaces[4 * middle + 3], 0) << "the cut shows the inside";
+  // From the other side nothing is cut where the plane lies behind the ball.
+  input.part.clip = clipPlaneThrough(glm::vec3(kCentre) - 20.0f * camera_.forward, camera_.forward);
+  raycaster_.draw(input, target_);
+  const float whole = gl::readFloats(raycaster_.surface().depth(), 1)[middle];
+  EXPECT_NEAR(terms.x / (terms.y - whole), camera_.distance - kRadius, 0.05);
+}
+
+// A translucent volume is seen before the mesh and not behind it.
+TEST_F(RaycasterTest, ASurfaceWithinEndsTheRays) {
+  Geometry g;
+  g.dims = glm::ivec3(40);
+  volume_.set(std::make_shared<Volume<float>>(Volume<float>(g, 1.0f)));
+  camera_ = parseCamera("front", Beam{}, worldBox(g), 1);
+  const float half = 19.5f;
+  Mesh plane;
+  plane.positions = {{-60, half, -60}, {99, half, -60}, {99, half, 99}, {-60, half, 99}};
+  plane.normals.assign(4, {0, -1, 0});
+  plane.triangles = {{0, 1, 2}, {0, 2, 3}};
+  GpuMesh mesh;
+  mesh.set(std::make_shared<Mesh>(plane));
+  target_ = gl::Framebuffer({.size = {64, 64}});
+  const gl::Framebuffer picture({.size = {64, 64}});
+  MeshView view;
+  view.draw({.mesh = mesh, .camera = camera_, .lighting = portraitLighting(camera_)}, picture);
+  const SurfaceBehind behind{view.buffer(), picture};
+  RaycastInput input{.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .look = VolumeLook::translucent,
+                     .transfer = {{{0, glm::vec3(1), 0}, {1, glm::vec3(0.05f), 0.008f}}}};
+  const auto opacity = [&] {
+    raycaster_.draw(input, target_);
+    const auto colours = gl::readFloats(raycaster_.translucent().colour(), 4);
+    double sum = 0;
+    for (int y = 28; y < 36; ++y)
+      for (int x = 28; x < 36; ++x) sum += double(colours[std::size_t(4 * (y * 64 + x) + 3)]) / 64;
+    return sum;
+  };
+  const double perMm = double(extinctionPerMm(0.008f, worldDiagonal(g)));
+  EXPECT_NEAR(opacity(), 1 - std::exp(-39 * perMm), 0.01);
+  const Image alone = gl::readImage(target_);
+  input.behind = &behind;
+  EXPECT_NEAR(opacity(), 1 - std::exp(-19.5 * perMm), 0.01);
+  const Image both = gl::readImage(target_), surface = gl::readImage(picture);
+  const std::size_t middle = 4 * (32 * 64 + 32);
+  EXPECT_GT(int(surface.rgba[middle]), int(alone.rgba[middle]) + 20);
+  EXPECT_GT(int(both.rgba[middle]), int(alone.rgba[middle])) << "the mesh shines through";
+}
+
+// What is cut off casts no shadow either.
+TEST_F(RaycasterTest, NoShadowOfWhatIsNotThere) {
+  camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+  target_ = gl::Framebuffer({.size = kSize});
+  RaycastInput input{.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .look = VolumeLook::translucent,
+                     .transfer = amberTransfer(0.5f)};
+  const auto light = [&] {
+    raycaster_.draw(input, target_);
+    const Image image = gl::readImage(target_);
+    double sum = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+    return sum;
+  };
+  input.part.clip = clipPlaneThrough(glm::vec3(kCentre), camera_.forward);
+  const double cut = light();
+  input.shadows = false;
+  const double shadowless = light();
+  EXPECT_GT(cut, 0.8 * shadowless) << "the cut faces the light";
+  input.part.clip = {};
+  EXPECT_GT(shadowless, 0);
+  const double round = light();
+  input.shadows = true;
+  EXPECT_LT(light(), 0.95 * round) << "the far side of the whole ball lies in its shadow";
+}
+
+// A picture that is cast row by row is the one that is cast at once, and comes with the last.
+TEST_F(RaycasterTest, RowsAfterRows) {
+  camera_ = parseCamera("front", Beam{}, worldBox(volume_.geometry()), 4.0f / 3);
+  for (const VolumeLook look : {VolumeLook::surface, VolumeLook::translucent, VolumeLook::maximum}) {
+    target_ = gl::Framebuffer({.size = kSize});
+    RaycastInput input{.volume = volume_,
+                       .camera = camera_,
+                       .lighting = portraitLighting(camera_),
+                       .look = look,
+                       .transfer = amberTransfer(0.5f)};
+    Raycaster atOnce;
+    atOnce.draw(input, target_);
+    const Image whole = gl::readImage(target_);
+    target_ = gl::Framebuffer({.size = kSize});
+    target_.clear({0, 0, 0, 1});
+    const Image empty = gl::readImage(target_);
+    for (const glm::vec2 rows : {glm::vec2(0, 0.35f), glm::vec2(0.35f, 0.7f), glm::vec2(0.7f, 1)}) {
+      EXPECT_EQ(gl::readImage(target_).rgba, empty.rgba);
+      input.rows = rows;
+      raycaster_.draw(input, target_);
+    }
+    EXPECT_EQ(gl::readImage(target_).rgba, whole.rgba) << int(look);
   }
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/workspace/workspace.h"
+
+namespace sonoskin::ui {
+
+// More of what the 3D view shows, in the list that its bar opens.
+
+// drawVolumeRows: of a volume; drawClipRows: the plane that cuts what is shown.
+void drawVolumeRows(Workspace& workspace);
+void drawClipRows(Workspace& workspace);
+
+// drawColoursRow: which transfer function a translucent volume has; between beginFields() and endFields().
+void drawColoursRow(Workspace& workspace);
+
+}  // namespace sonoskin::ui
