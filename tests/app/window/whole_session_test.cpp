@@ -161,7 +161,7 @@ void WholeSessionTest::measureAndSave() {
 
 void WholeSessionTest::quitAndReopen() {
   view().meshStyle = MeshStyle::clay;  // whose picture does not wait for its light
-  d().frames(2);  // what was saved is noted
+  d().frames(2);                       // what was saved is noted
   EXPECT_FALSE(d().session().hasUnsavedWork());
   click("step.classify");
   stroke({d().point("classification.beta", 0.45f), d().point("classification.beta", 0.4f)});
