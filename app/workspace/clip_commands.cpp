@@ -21,7 +21,7 @@ void across(W& w) {
 
 // clang-format off
 const Command kCommands[] = {
-  {"clip.on", "Cut what 3D shows", Menu::view, key(GLFW_KEY_C), switchClip, hasScan, clips, true, kMenu},
+  {"clip.on", "Cut what 3D shows", Menu::view, key(GLFW_KEY_G), switchClip, hasScan, clips, true, kMenu},
   {"clip.view", "Facing the view", Menu::view, {}, clipFromView, hasScan, nullptr, true, kMenu},
   {"clip.axial", "Axial (A), through the cross-hair", Menu::view, {}, across<Plane::axial>, hasScan, nullptr, false, kMenu},
   {"clip.sagittal", "Sagittal (B), through the cross-hair", Menu::view, {}, across<Plane::sagittal>, hasScan, nullptr, false, kMenu},

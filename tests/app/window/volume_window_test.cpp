@@ -36,7 +36,7 @@ TEST_F(VolumeWindowTest, ASideOfTheBoxAndThePlaneAreDragged) {
   EXPECT_TRUE(d.session().canUndo());
   ASSERT_TRUE(d.waitUntilIdle());
 
-  d.press("c");
+  d.press("g");
   EXPECT_TRUE(d.workspace().view.clip.on);
   d.frames(3);
   const float offset = d.workspace().view.clip.plane.offset;
