@@ -16,7 +16,7 @@ namespace sonoskin::ui {
 namespace {
 
 constexpr const char* kPopup = "###palette";
-constexpr float kWidth = 600, kMostRows = 12;
+constexpr float kWidth = 700, kMostRows = 12;
 
 // Up and Down belong to the list while the field has the keys.
 int countSteps(ImGuiInputTextCallbackData* data) {
@@ -79,7 +79,7 @@ const PaletteEntry* drawList(const std::vector<PaletteEntry>& found, std::size_t
   const float rows = std::min(float(found.size()), kMostRows);
   if (!ImGui::BeginTable("found", 3, ImGuiTableFlags_ScrollY, {0, rows * line + 2 * unit()})) return nullptr;
   ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthStretch, 3);
-  ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 2);
+  ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 1.2f);
   ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 100 * unit());
   const PaletteEntry* clicked = nullptr;
   for (std::size_t n = 0; n < found.size(); ++n) {

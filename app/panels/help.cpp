@@ -11,6 +11,7 @@
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 #include "app/workspace/commands.h"
+#include "app/workspace/palette_entries.h"
 #include "app/workspace/word_match.h"
 
 namespace sonoskin::ui {
@@ -63,7 +64,7 @@ std::vector<HelpLine> keyLines() {
   for (const Command& command : commands()) {
     if (command.shortcut.key == 0) continue;
     lines.push_back(
-        {tr(kMenuTitles[std::size_t(command.menu)]), shortcutText(command.shortcut), tr(command.title)});
+        {tr(kMenuTitles[std::size_t(command.menu)]), shortcutText(command.shortcut), commandTitle(command)});
   }
   return lines;
 }
@@ -120,7 +121,7 @@ void drawAll(const std::string& words) {
 
 void drawKeys(Workspace& workspace) {
   if (!workspace.keysShown) return;
-  if (beginDialog({tr("Mouse and keys"), "###keys", {1240, 660}}, workspace.keysShown)) {
+  if (beginDialog({tr("Mouse and keys"), "###keys", {1240, 880}}, workspace.keysShown)) {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##words", tr("Search"), &workspace.help.keyWords);
     noteWidget("help.words");

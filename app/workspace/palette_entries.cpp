@@ -51,15 +51,10 @@ std::optional<int> misfitAt(std::string_view words, const std::string& text, std
   return cost ? std::optional(*cost + kPlaceCost) : std::nullopt;
 }
 
-// Where a menu has menus in it, their titles say what those of the commands are about.
-std::string titleOf(const Command& c) {
-  return c.submenu ? fmt::format("{}: {}", tr(c.submenu), tr(c.title)) : tr(c.title);
-}
-
 void addCommands(std::string_view words, const Workspace& workspace, std::vector<Found>& found) {
   for (const Command& c : commands()) {
     const char* menu = tr(kMenuTitles[std::size_t(c.menu)]);
-    const std::string title = titleOf(c);
+    const std::string title = commandTitle(c);
     const std::optional<int> cost = misfitAt(words, title, menu);
     if (!cost) continue;
     const char* lacks = whatLacks(c, workspace);
@@ -103,6 +98,10 @@ std::vector<PaletteEntry> paletteEntries(std::string_view words, const Workspace
   std::vector<PaletteEntry> entries;
   for (Found& f : found) entries.push_back(std::move(f.entry));
   return entries;
+}
+
+std::string commandTitle(const Command& c) {
+  return c.submenu ? fmt::format("{}: {}", tr(c.submenu), tr(c.title)) : tr(c.title);
 }
 
 const char* whatLacks(const Command& command, const Workspace& workspace) {

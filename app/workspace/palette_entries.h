@@ -23,6 +23,9 @@ struct PaletteEntry {
 // done before what cannot. Without words all commands, in the order of the menus.
 std::vector<PaletteEntry> paletteEntries(std::string_view words, const Workspace& workspace);
 
+// commandTitle: in the window's language; where it stands in a menu of a menu, with the title of that, which says what it is about.
+std::string commandTitle(const Command& command);
+
 // whatLacks: why a command cannot be given just now, in a few words; empty where it can, or nobody has said.
 const char* whatLacks(const Command& command, const Workspace& workspace);
 
