@@ -152,6 +152,8 @@ void WholeSessionTest::measureAndSave() {
   EXPECT_EQ(view().measures.size(), 1u) << "measure";
   key("Escape");
   key("F12");
+  click("picture.save");
+  d().frames(3);
   answer("picture.png");
   ASSERT_TRUE(d().wait([&] { return fs::exists(folder / "picture.png"); }));
   key("ctrl+s");
