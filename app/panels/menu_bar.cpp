@@ -68,10 +68,11 @@ void drawMenu(Menu menu, Workspace& workspace) {
 
 void drawMenuBar(Workspace& workspace) {
   if (!ImGui::BeginMainMenuBar()) return;
-  const auto asked = std::exchange(workspace.menuAsked, std::nullopt);
+  // Before all menus: they share a window, and the one that is open would be drawn into it once more.
+  if (const auto asked = std::exchange(workspace.menuAsked, std::nullopt))
+    openMenu(tr(kMenuTitles[std::size_t(*asked)]));
   std::size_t shown = 0;  // that is open
   for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
-    if (asked == static_cast<Menu>(i)) openMenu(tr(kMenuTitles[i]));
     const bool open = ImGui::BeginMenu(tr(kMenuTitles[i]));
     noteWidget(std::string("menu.") + kMenuTitles[i]);
     if (!open) continue;

@@ -81,9 +81,6 @@ void steerByKeys(const KeySteering& steering) {
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   if (steering.step > 0) io.NavInputs[ImGuiNavInput_DpadDown] = 1;
   if (steering.step < 0) io.NavInputs[ImGuiNavInput_DpadUp] = 1;
-  // Of a list that a key has opened, the first entry is chosen and seen.
-  ImGuiContext& context = *ImGui::GetCurrentContext();
-  if (context.NavDisableMouseHover && context.NavInitResultId != 0) context.NavDisableHighlight = false;
   // This version of ImGui takes the space bar alone for "do it".
   const bool isEnter = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter));
   if (isEnter && !io.WantTextInput) io.NavInputs[ImGuiNavInput_Activate] = 1;
