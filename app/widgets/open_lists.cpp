@@ -37,9 +37,7 @@ int leavesMenu() {
   if (!window || window->ParentWindow != context.CurrentWindow ||
       !(window->Flags & ImGuiWindowFlags_ChildMenu))
     return 0;
-  // Entries lie below each other: what is found to a side was found from nowhere, where no entry had the keys yet. One that
-  // opens a menu of its own has taken the request by now.
-  if (!sideways || !context.NavMoveScoringItems) return 0;
+  if (!sideways || !ImGui::NavMoveRequestButNoResultYet()) return 0;
   const int step = context.NavMoveDir == ImGuiDir_Right ? 1 : -1;
   ImGui::NavMoveRequestCancel();
   return step;
