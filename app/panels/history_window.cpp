@@ -21,7 +21,7 @@ std::optional<std::size_t> drawSteps(const History<Version>& history) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       const auto n = std::size_t(row);
       const std::string title = n == 0 ? tr("As it was opened") : stepTitle(history.at(n - 1), history.at(n));
-      ImGui::PushStyleColor(ImGuiCol_Text, n > history.position() ? kFaintText : kText);
+      ImGui::PushStyleColor(ImGuiCol_Text, n > history.position() ? colours().faintText : colours().text);
       if (ImGui::Selectable(fmt::format("{}###step{}", title, n).c_str(), n == history.position()))
         pressed = n;
       ImGui::PopStyleColor();
