@@ -3,6 +3,7 @@
 
 #include "app/document/crop_box.h"
 #include "app/panels/panels.h"
+#include "app/panels/parameter_rows.h"
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
@@ -28,30 +29,18 @@ void commandButton(const char* id, const char* title, float width, Workspace& wo
 float halfWidth() { return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x); }
 
 // One side of the crop box: where it lies along its axis, as the slices' titles count.
-FieldsEdit editSide(const Side& side, float width, RegionOptions& options, const Geometry& g) {
+FieldsEdit editSide(const Side& side, RegionOptions& options, const Geometry& g) {
   const std::string name = fmt::format("region.{}.{}", "ijk"[side.axis], side.high ? "high" : "low");
-  const double standing = sideAt(side, options, g);
-  const double least = 0, most = sideAt({side.axis, true}, {}, g);
+  const char* help = side.high
+                         ? "nothing beyond this is surface; the box's sides can be dragged in the slices"
+                         : "nothing before this is surface; the box's sides can be dragged in the slices";
+  const std::string label =
+      fmt::format(fmt::runtime(tr(side.high ? "to" : "Along {}, from")), "ijk"[side.axis]);
+  const double most = sideAt({side.axis, true}, {}, g), standing = sideAt(side, options, g);
   double mm = standing;
-  ImGui::SetNextItemWidth(width);
-  FieldsEdit edit;
-  if (ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &mm, &least, &most, "%.1f mm",
-                          ImGuiSliderFlags_AlwaysClamp) &&
-      mm != standing) {
-    moveSide(side, mm, options, g);
-    edit.changed = true;
-  }
-  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-  noteWidget(name);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    moveSide(side, side.high ? most : 0, options, g);
-    edit = {true, true};
-  }
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-    ImGui::SetTooltip(
-        "Nothing %s this is surface. Drag the box's sides in the slices as well.\nRight click: the whole "
-        "volume",
-        side.high ? "beyond" : "before");
+  const FieldsEdit edit = editField(FieldRow{name, Field{"side", help, "mm"}, {.label = label}}, mm,
+                                    side.high ? most : 0.0, Range{0.0, most});
+  if (mm != standing) moveSide(side, mm, options, g);
   return edit;
 }
 
@@ -60,17 +49,11 @@ void drawSides(Workspace& workspace) {
   Parameters parameters = workspace.session.parameters();
   FieldsEdit edit;
   if (beginFields("box")) {
-    for (int axis = 0; axis < 3; ++axis) {
-      beginRow(fmt::format("Along {}, from and to", "ijk"[axis]));
-      const float width = halfWidth();
-      edit |= editSide({axis, false}, width, parameters.region, g);
-      ImGui::SameLine();
-      edit |= editSide({axis, true}, width, parameters.region, g);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const bool high : {false, true}) edit |= editSide({axis, high}, parameters.region, g);
     endFields();
   }
-  if (edit.changed) workspace.session.edit(parameters);
-  if (edit.finished) workspace.session.commitEdit();
+  applyEdit(workspace, parameters, edit);
 }
 
 void drawBox(Workspace& workspace) {
@@ -86,11 +69,8 @@ void drawBox(Workspace& workspace) {
 void drawRadius(Workspace& workspace) {
   const DisabledIf away(!isChosen(workspace.view, Tool::eraser));
   if (!beginFields("eraser")) return;
-  beginRow("Radius");
-  const double least = kLeastBrush, most = kMostBrush;
-  ImGui::SliderScalar("##radius", ImGuiDataType_Double, &workspace.view.brushRadius, &least, &most, "%.1f mm",
-                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-  noteWidget("region.radius");
+  const FieldRow row{"region.radius", Field{"radius", "how far around the mouse the eraser reaches", "mm"}};
+  editField(row, workspace.view.brushRadius, ViewState().brushRadius, Range{kLeastBrush, kMostBrush, true});
   endFields();
 }
 

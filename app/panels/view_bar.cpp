@@ -1,6 +1,7 @@
 // The bars over the views: what each of them shows.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/panels/grey_rows.h"
@@ -19,8 +20,8 @@ namespace {
 
 using Names = std::initializer_list<const char*>;
 
-constexpr float kMargin = 3;      // around the buttons
-constexpr float kWideView = 430;  // pixels without scale, from which all buttons have room beside the title
+constexpr float kMargin = 3;       // around the buttons
+constexpr float kTitleRoom = 175;  // pixels without scale that a view's title takes beside its bar
 
 template <class E>
 bool choose(const char* id, Names names, E& value) {
@@ -122,20 +123,22 @@ void chooseStyle(ViewState& view) {
     choose("view.meshStyle", kLooks, view.meshStyle);
 }
 
-Names stylesOf(const ViewState& view) { return view.content == SpaceContent::volume ? kStyles : kLooks; }
+// Of whichever has more to choose: no button moves when the other is shown.
+float stylesWidth() { return std::max(textSegmentsWidth(kStyles), textSegmentsWidth(kLooks)); }
 
 void drawSpaceBar(Workspace& workspace, bool wide) {
   chooseContent(workspace);
   ImGui::SameLine(0, gap());
   if (wide) {
+    const float left = ImGui::GetCursorPosX();
     chooseStyle(workspace.view);
-    ImGui::SameLine(0, gap());
+    ImGui::SameLine(left + stylesWidth() + gap());
   }
   if (moreButton("view.space.more")) ImGui::OpenPopup("more");
 }
 
-float spaceBarWidth(const ViewState& view, bool wide) {
-  const float style = wide ? textSegmentsWidth(stylesOf(view)) + gap() : 0;
+float spaceBarWidth(bool wide) {
+  const float style = wide ? stylesWidth() + gap() : 0;
   return textSegmentsWidth(kContents) + gap() + style + moreWidth();
 }
 
@@ -189,16 +192,16 @@ void drawMore(Workspace& workspace, const ShownPane& place, bool wide) {
   ImGui::EndPopup();
 }
 
-ImVec2 barSize(const ViewState& view, const ShownPane& place, bool wide) {
+ImVec2 barSize(const ShownPane& place, bool wide) {
   const OverPicture dark;
-  const float width = place.pane == Pane::space ? spaceBarWidth(view, wide) : sliceBarWidth(wide);
+  const float width = place.pane == Pane::space ? spaceBarWidth(wide) : sliceBarWidth(wide);
   return {width + 2 * kMargin * unit(), ImGui::GetFrameHeight() + 2 * kMargin * unit()};
 }
 
 // A window of its own over the view: what is below does not see the mouse.
 void drawBar(Workspace& workspace, const ShownPane& place) {
-  const bool wide = place.size.x >= kWideView * unit();
-  const ImVec2 size = barSize(workspace.view, place, wide);
+  const bool wide = place.size.x - barSize(place, true).x >= kTitleRoom * unit();
+  const ImVec2 size = barSize(place, wide);
   ImGui::SetCursorScreenPos(
       {place.corner.x + place.size.x - size.x - 4 * unit(), place.corner.y + 5 * unit()});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));

@@ -29,7 +29,7 @@ std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
     text += " (live)";
   }
   const std::string preparing = wantsSkin(w) ? window.skin.caption() : "";
-  return preparing.empty() ? text : text + "   " + preparing;
+  return preparing.empty() ? text : preparing;
 }
 
 std::string caption(const SpaceWindow& window, const Workspace& w) {

@@ -16,8 +16,8 @@ constexpr float kTextSize = 15, kSmallSize = 14.5f;
 
 // Latin, Greek and Cyrillic for file names and symbols; punctuation, arrows, mathematics and shapes for
 // labels.
-constexpr std::array<ImWchar, 17> kGlyphs{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF,
-                                          0x2010, 0x205E, 0x2070, 0x209F, 0x2190, 0x21FF,
+constexpr std::array<ImWchar, 19> kGlyphs{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x1E00,
+                                          0x1EFF, 0x2010, 0x205E, 0x2070, 0x209F, 0x2190, 0x21FF,
                                           0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
 void addFont(FontStyle style, float pixels) {

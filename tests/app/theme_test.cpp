@@ -2,11 +2,15 @@
 #include "app/widgets/theme.h"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "app/widgets/field_equations.h"
+#include "app/widgets/fields_ui.h"
+#include "core/classification/classification_options.h"
 #include "tests/support/imgui_test.h"
 
 namespace sonoskin::ui {
@@ -77,6 +81,24 @@ TEST_F(ThemeFonts, NoTextIsSmallerThanTwelvePixels) {
   int width = 0, height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
   EXPECT_EQ(unit(), 2);
+}
+
+// A letter that the fonts lack is a question mark.
+TEST_F(ThemeFonts, EquationsAndSymbolsHaveTheirLetters) {
+  ClassificationOptions options;
+  fields(
+      [&](const Field& field, auto&, auto...) {
+        const std::string text = std::string(equationOf("classification." + std::string(field.name))) +
+                                 greekSymbol(field.symbol) + "↺×⋯–";
+        for (const char* at = text.c_str(); *at;) {
+          unsigned int letter = 0;
+          at += ImTextCharFromUtf8(&letter, at, text.c_str() + text.size());
+          if (letter == '\n') continue;
+          EXPECT_NE(ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(ImWchar(letter)), nullptr)
+              << field.name << " U+" << std::hex << letter;
+        }
+      },
+      options);
 }
 
 }  // namespace
