@@ -4,12 +4,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/io/volume_writer.h"
 #include "render/gl/context.h"
 #include "render/gl/gpu_timer.h"
 #include "render/gl/read_pixels.h"
@@ -65,22 +66,32 @@ void writeRace(VolumeScene& scene, const std::filesystem::path& folder) {
     const glm::vec4 look = input.transfer.at(float(i) / 255);
     transfer.push_back({look.r, look.g, look.b, 1 - std::pow(1 - double(look.a), layers)});
   }
-  const nlohmann::json race{{"size", {scene.picture.size().x, scene.picture.size().y}},
-                            {"eye", numbers(scene.camera.eye())},
-                            {"target", numbers(scene.camera.target)},
-                            {"up", numbers(scene.camera.up)},
-                            {"angle", scene.camera.fieldOfView},
-                            {"step", scene.volume.geometry().minSpacing()},
-                            {"transfer", transfer},
-                            {"key", {numbers(l.key.direction), numbers(l.key.colour)}},
-                            {"fill", {numbers(l.fill.direction), numbers(l.fill.colour)}},
-                            {"ambient", numbers(0.5f * (l.sky + l.ground))}};
+  const Geometry& g = scene.volume.geometry();
+  nlohmann::json race{{"size", {scene.picture.size().x, scene.picture.size().y}},
+                      {"eye", numbers(scene.camera.eye())},
+                      {"target", numbers(scene.camera.target)},
+                      {"up", numbers(scene.camera.up)},
+                      {"angle", scene.camera.fieldOfView},
+                      {"step", scene.volume.geometry().minSpacing()},
+                      {"transfer", transfer},
+                      {"key", {numbers(l.key.direction), numbers(l.key.colour)}},
+                      {"fill", {numbers(l.fill.direction), numbers(l.fill.colour)}},
+                      {"ambient", numbers(0.5f * (l.sky + l.ground))}};
+  race["dims"] = {g.dims.x, g.dims.y, g.dims.z};
+  race["spacing"] = numbers(glm::vec3(g.spacing));
+  race["origin"] = numbers(glm::vec3(g.origin));
+  for (int axis = 0; axis < 3; ++axis) race["direction"].push_back(numbers(glm::vec3(g.direction[axis])));
   std::ofstream(folder / "race.json") << race.dump();
   scene.draw(VolumeLook::translucent, false);
   const auto texels = gl::readFloats(scene.raycaster.translucent().colour(), 4);
   std::ofstream(folder / "ours.f32", std::ios::binary)
       .write(reinterpret_cast<const char*>(texels.data()), std::streamsize(texels.size() * sizeof(float)));
-  writeVolume(folder / "scan.nrrd", *phantomInput().volume, phantomInput().beam, {});
+  const Volume<float>& volume = *phantomInput().volume;
+  std::vector<std::uint8_t> bytes;
+  for (const float value : volume.data)
+    bytes.push_back(std::uint8_t(255 * std::clamp(value, 0.0f, 1.0f) + 0.5f));
+  std::ofstream(folder / "scan.u8", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
 
 void orbit(benchmark::State& state, VolumeLook look, bool shadows) {

@@ -60,16 +60,13 @@ def run_ours(program, folder):
     return row["real_time"], row["cpu_time"]
 
 
-def read_volume(folder):
-    reader = vtk.vtkNrrdReader()
-    reader.SetFileName(str(folder / "scan.nrrd"))
-    reader.Update()
-    image = reader.GetOutput()
-    values = vtk_to_numpy(image.GetPointData().GetScalars())
-    scale = 255 if values.dtype.kind == "f" else 1
+def read_volume(folder, race):
     data = vtk.vtkImageData()
-    data.DeepCopy(image)
-    data.GetPointData().SetScalars(numpy_to_vtk((numpy.clip(values * scale, 0, 255) + 0.5).astype(numpy.uint8), deep=1))
+    data.SetDimensions(*race["dims"])
+    data.SetSpacing(*race["spacing"])
+    data.SetOrigin(*race["origin"])
+    data.SetDirectionMatrix(*numpy.array(race["direction"]).T.ravel())
+    data.GetPointData().SetScalars(numpy_to_vtk(numpy.fromfile(folder / "scan.u8", numpy.uint8), deep=1))
     return data
 
 
@@ -149,7 +146,7 @@ def main():
         folder = pathlib.Path(name)
         ours = run_ours(sys.argv[1], folder)
         race = json.loads((folder / "race.json").read_text())
-        data = read_volume(folder)
+        data = read_volume(folder, race)
         wall, cpu, driver = time_vtk(make_volume(data, race), race)
         print(f"VTK {vtk.vtkVersion().GetVTKVersion()}, {driver}: {wall:.0f} ms wall, {cpu:.0f} ms CPU a picture")
         print(f"ours: {ours[0]:.0f} ms wall, {ours[1]:.0f} ms CPU; {wall / ours[0]:.1f} times as fast, {cpu / ours[1]:.1f} in CPU")
