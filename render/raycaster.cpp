@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sonoskin {
@@ -92,11 +93,23 @@ Key extinctionKeyOf(const RaycastInput& input) {
 // How many of the layers that a transfer function's opacity means one step of a ray passes.
 float stepLayers(const Geometry& g) { return float(g.minSpacing() * 250 / worldDiagonal(g)); }
 
+// Light that has travelled through tissue comes out redder.
+std::array<glm::u8vec4, 256> tints() {
+  std::array<glm::u8vec4, 256> table;
+  for (int i = 0; i < 256; ++i) {
+    const float share = float(i) / 255;
+    table[std::size_t(i)] =
+        255.0f * glm::vec4(std::pow(share, 0.7f), share, std::pow(share, 1.25f), share) + 0.5f;
+  }
+  return table;
+}
+
 gl::Texture lightTexture(const Volume<float>& light) {
-  std::vector<std::uint8_t> texels;
+  static const std::array<glm::u8vec4, 256> table = tints();
+  std::vector<glm::u8vec4> texels;
   texels.reserve(light.data.size());
-  for (const float share : light.data) texels.push_back(std::uint8_t(255 * share + 0.5f));
-  gl::Texture texture({.size = light.geometry.dims, .format = gl::Format::r8});
+  for (const float share : light.data) texels.push_back(table[std::size_t(255 * share + 0.5f)]);
+  gl::Texture texture({.size = light.geometry.dims, .format = gl::Format::rgba8});
   texture.upload(texels.data());
   return texture;
 }
@@ -240,7 +253,7 @@ void Raycaster::castTranslucent(const RaycastInput& input, float aspect) {
     updateLight(input);
     light_.bind(2);
     program.set("lightMap", 2);
-    program.set("lightScale", 1.0f / glm::vec3(light_.size() * kLightCell));
+    program.set("lightScale", glm::vec3(g.dims) / glm::vec3(light_.size() * kLightCell));
   }
   transfer_.bind(3);
   program.set("transfer", 3);
