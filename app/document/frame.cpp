@@ -23,6 +23,7 @@ void takeIn(Frame& frame, Results fresh, const MeshOrigin& origin, const FaceOpt
   }
   if (!fresh.classified) {  // slices alone
     fresh.classified = before.classified;
+    fresh.keys = before.keys;
     fresh.stages = before.stages;
   }
   if (!fresh.thinned) fresh.thinned = before.thinned;

@@ -144,6 +144,8 @@ class Session {
   void lookAt(const std::optional<glm::dvec3>& cursor) { lookedAt_ = cursor; }
   // classifiedIsCurrent: whether the classified volume is the one that the parameters lead to, on voxels of any size.
   bool classifiedIsCurrent() const;
+  // awaitsClassification: whether another classification than that of results() is on its way.
+  bool awaitsClassification() const { return request_ == Goal::classified; }
   // secondsOf: that the stages of the pipeline took which `which` names, each when it was last made.
   double secondsOf(bool (*which)(std::string_view stage)) const;
   double meshArea() const { return frame_.meshArea; }  // mm^2

@@ -46,7 +46,7 @@ double drawCell(FourUp& views, Workspace& workspace, const Cell& cell) {
 // What the GPU holds of a document goes with it. Results that are made anew take the place of those before.
 void letGoOfClosed(FourUp& views, const Results& results) {
   if (!results.classified) views.scans.classified = {};
-  if (!results.slices[0]) views.scans.slices = {};
+  if (std::ranges::all_of(results.slices, [](const auto& slice) { return !slice; })) views.scans.slices = {};
   if (!results.thinned) views.scans.thinned = {};
   if (results.mesh) return;
   views.space.mesh.set(nullptr);

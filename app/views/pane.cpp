@@ -55,8 +55,6 @@ PaneInput beginPane(const char* id, ImVec2 corner, ImVec2 size) {
     }
     pane.pressed = ImGui::IsItemActivated();
   }
-  ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
-                                            IM_COL32(6, 7, 9, 255));
   return pane;
 }
 
@@ -70,12 +68,13 @@ std::string failureOf(const std::function<void()>& draw) try {
 }
 
 void showTexture(const PaneInput& pane, const gl::Framebuffer& framebuffer) {
-  if (!framebuffer) return;
+  const ImVec2 first(pane.corner.x, pane.corner.y),
+      last(pane.corner.x + pane.size.x, pane.corner.y + pane.size.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!framebuffer) return list.AddRectFilled(first, last, IM_COL32(6, 7, 9, 255));
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(framebuffer.colour().name()));
   // The picture's first row is the lowest one.
-  ImGui::GetWindowDrawList()->AddImage(texture, {pane.corner.x, pane.corner.y},
-                                       {pane.corner.x + pane.size.x, pane.corner.y + pane.size.y}, {0, 1},
-                                       {1, 0});
+  list.AddImage(texture, first, last, {0, 1}, {1, 0});
 }
 
 void shadedText(ImVec2 p, const ImVec4& colour, const std::string& text) {

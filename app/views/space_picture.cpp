@@ -159,11 +159,16 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sket
   window.secondsPerPixel = std::clamp(window.secondsPerPixel, 1e-9, 1e-4);
 }
 
+// Whether the volume that is shown will soon be another one, which a finished picture of this one would keep waiting.
+bool isProvisional(const Workspace& w) {
+  return !showsMesh(w) && w.session.awaitsClassification() && shownVolume(w) != w.session.scan().volume;
+}
+
 // What the next picture is: a draft while something moves, and of a volume that takes long at first; then all pixels, of a
 // volume some rows after the other; then smooth edges.
 Sampling nextSampling(const SpaceWindow& window, const Workspace& w, glm::ivec2 whole) {
   const PictureState& state = window.state;
-  if (state.moving) return Sampling::draft;
+  if (state.moving || isProvisional(w)) return Sampling::draft;
   const bool slow = window.secondsPerPixel * double(whole.x) * double(whole.y) > kBandSeconds;
   if (!showsMesh(w) && state.sampling == Sampling::none && slow) return Sampling::draft;
   const bool smoothly = state.sampling == Sampling::full && affordsSmoothing(window, w, whole);
@@ -223,7 +228,7 @@ void advancePicture(SpaceWindow& window, GpuScans& scans, Workspace& workspace, 
   }
   const bool rough = state.sampling == Sampling::full ? affordsSmoothing(window, workspace, whole)
                                                       : state.sampling < Sampling::full;
-  state.unfinished |= (late || rough) && !state.moving;
+  state.unfinished |= (late || (rough && !isProvisional(workspace))) && !state.moving;
   workspace.view.skin.status.settled = showsSkin(window, workspace) && state.settled();
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -24,13 +25,15 @@
 #include "core/base/error_text.h"
 #include "core/base/log.h"
 #include "core/base/task_pool.h"
-#include "core/base/timer.h"
 #include "render/gl/context.h"
 
 namespace sonoskin {
 namespace {
 
-constexpr double kIdleSeconds = 1.0, kBusySeconds = 0.06, kTextCursorSeconds = 0.3;
+constexpr double kIdleSeconds = 1.0, kTextCursorSeconds = 0.3;
+// While something is made, the window looks for it often, which costs nothing, and draws the bar of its progress seldom: where
+// OpenGL is drawn in software a frame takes the time of both.
+constexpr double kLookSeconds = 0.008, kProgressSeconds = 0.2;
 
 // What takes the keys once it is open, a bit each.
 unsigned keyTakers(const Workspace& w) {
@@ -80,24 +83,24 @@ bool Application::attempt(const std::function<void()>& action) {
   return false;
 }
 
-double Application::waitSeconds() const {
-  double seconds = workspace_.session.activity().busy ? kBusySeconds : kIdleSeconds;
+double Application::secondsToNext() const {
+  double seconds = std::numeric_limits<double>::infinity();
+  if (workspace_.session.activity().busy) seconds = kProgressSeconds;
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, kTextCursorSeconds);
   for (const double wanted : {viewsWant_, toastsWant_, playWants_}) {
     if (wanted >= 0) seconds = std::min(seconds, wanted);
   }
-  return seconds;
+  return seconds - sinceDrawn_.seconds();
 }
 
 bool Application::frame() {
-  const bool busy = workspace_.session.activity().busy;
-  const bool event = window_.waitForFrame(waitSeconds());
+  const double most = workspace_.session.activity().busy ? kLookSeconds : kIdleSeconds;
+  const bool event = window_.waitForFrame(std::clamp(secondsToNext(), 0.0, most));
+  const bool due = secondsToNext() <= 0;
   bool arrived = false;
   attempt([&] { arrived = workspace_.session.poll(); });
   arrived |= log_.waiting();
-  if (arrived) window_.requestFrames();
-  const bool due =
-      busy || viewsWant_ >= 0 || toastsWant_ >= 0 || playWants_ >= 0 || ImGui::GetIO().WantTextInput;
+  if (arrived) window_.requestFrames(workspace_.session.activity().busy ? 1 : 3);
   if (event || arrived || due) draw();
   attempt([this] { autosave_.look(workspace_); });
   if (window_.closeRequested()) attempt([this] { answerClosing(); });
@@ -179,11 +182,13 @@ void Application::draw() {
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
   attempt([this] {
-    gl::Target(0, {0, 0}, window_.framebufferSize()).bind();
+    const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    gl::Target(0, {0, 0}, window_.framebufferSize()).clear({ground.x, ground.y, ground.z, 1});
     window_.endFrame();
   });
   if (!workspace_.view.catchingUp) lookForGlErrors();
   workspace_.view.frameSeconds = timer.seconds();
+  sinceDrawn_ = {};
 }
 
 // Of several the newest is asked for; the others wait for the next start.
@@ -245,8 +250,9 @@ ui::ToastPlace Application::drawMain() {
   ImGui::SetNextWindowSize(viewport.WorkSize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::Begin("main", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();
   const float status = ImGui::GetFrameHeight() + 6 * ui::unit();
   const float height = viewport.WorkSize.y - ImGui::GetCursorPosY() - status;

@@ -16,6 +16,7 @@
 #include "app/workspace/objects_seen.h"
 #include "app/workspace/workspace.h"
 #include "core/base/log.h"
+#include "core/base/timer.h"
 #include "core/pipeline/parameters.h"
 
 namespace sonoskin {
@@ -56,7 +57,7 @@ class Application {
   void saveTurntable(const std::filesystem::path& path);
   BackgroundContext& background();
   bool attempt(const std::function<void()>& action);  // whether it ended well
-  double waitSeconds() const;
+  double secondsToNext() const;                       // frame, where nothing happens
 
   LogRecord log_;  // what is said anywhere, until updateDocument shows it
   Settings settings_;
@@ -72,7 +73,8 @@ class Application {
   std::uint64_t opened_ = 0;
   std::set<std::string> noted_;        // of this document: each of its time steps may say the same
   std::uint64_t reconstructions_ = 0;  // seen so far
-  double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;
+  double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;  // seconds after a frame
+  Timer sinceDrawn_;
   bool glErrorTold_ = false, titleModified_ = false;
 };
 

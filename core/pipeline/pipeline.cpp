@@ -1,6 +1,8 @@
 #include "core/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 #include "core/classification/coarser_options.h"
 #include "core/pipeline/check_ranges.h"
@@ -97,7 +99,7 @@ Results Pipeline::run(const Scan& scan, const Parameters& parameters, Goal goal,
 }
 
 Results Pipeline::slices(const Scan& scan, const Parameters& parameters, const glm::ivec3& voxel,
-                         const Progress& progress) {
+                         const Progress& progress, const std::function<void(const Results&)>& each) {
   checkRanges(parameters);
   Results results;
   results.keys = stageKeys(scan.key, scan.erasedKey, parameters);
@@ -109,8 +111,16 @@ Results Pipeline::slices(const Scan& scan, const Parameters& parameters, const g
   const ClassificationOptions& options = parameters.classification;
   if (!prepared || !volume || options.formulation != Formulation::variational) return results;
   noteLevels(options, prepared->smoothed.levels, results);
-  results.slices = memory_->sliceSolver.classify(
-      {{volume, results.keys.enhanced}, {prepared, results.keys.prepared}}, options, voxel, progress);
+  const glm::ivec3 dims = volume->geometry.dims;
+  std::array<int, 3> axes{0, 1, 2};
+  std::ranges::sort(axes, std::greater(), [&](int axis) { return dims[axis]; });  // smallest slice first
+  for (const int axis : axes) {
+    results.slices[std::size_t(axis)] =
+        memory_->sliceSolver.classify({{volume, results.keys.enhanced}, {prepared, results.keys.prepared}},
+                                      options, {axis, voxel[axis]}, progress.cancelOnly());
+    if (each) each(results);
+  }
+  progress.update(1);
   return results;
 }
 

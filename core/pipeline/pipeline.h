@@ -46,11 +46,12 @@ class Pipeline {
                   const Progress& progress = {});
   // slices: classification alone, of the slices that are looked at, for somebody who turns a slider of a large volume.
   //   voxel   that all three go through
+  //   each    told of the result with one, two and all three of them, the fastest first
   //   output  without slices where more than the classification itself has changed since the last run, which has to be
   //           known for all of the volume; and for the thesis' formulations
   //   errors  Error: a parameter is out of range; Cancelled
   Results slices(const Scan& scan, const Parameters& parameters, const glm::ivec3& voxel,
-                 const Progress& progress = {});
+                 const Progress& progress = {}, const std::function<void(const Results&)>& each = {});
   // forget: gives the memory of all results back, as for another document.
   void forget();
 

@@ -34,7 +34,7 @@ struct Results {
   StageKeys keys;           // of all that the parameters lead to, without short cuts
   bool isFinal = false;     // the mesh is what Goal::mesh leads to
   std::shared_ptr<const Volume<float>> classified;  // u in [0, 1]
-  // Of u, the slices across i, j, k that are looked at, one voxel thick: where they were made first; see classifySlices.
+  // Of u, the slices across i, j, k that are looked at, one voxel thick: where they were made first; see Pipeline::slices.
   std::array<std::shared_ptr<const Volume<float>>, 3> slices{};
   std::shared_ptr<const Volume<std::uint8_t>> thinned;  // u as 1..255 on surface voxels, 0 elsewhere
   std::shared_ptr<const SurfacePoints> points;

@@ -117,8 +117,7 @@ void Runner::preview(const Request& request, const Progress& progress,
   const Scan& scan = request.scan;
   Results first;
   if (request.slicesFirst && scan.volume->data.size() > kQuickVolume) {
-    first = pipeline_.slices(scan, request.parameters, *request.slicesFirst, progress.part(0, 0.02));
-    if (first.slices[0]) deliver(first);
+    first = pipeline_.slices(scan, request.parameters, *request.slicesFirst, progress.part(0, 0.02), deliver);
   }
   const auto coarse = [&](Preview level, const Progress& part) {
     Results results = pipeline_.preview(scan, request.parameters, level, part);

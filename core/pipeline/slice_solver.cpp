@@ -14,6 +14,9 @@ int reachOf(const ClassificationOptions& options) {
   return length < 2 ? 4 : length < 4 ? 7 : 10;  // few values: a slab is kept while beta is turned
 }
 
+// Ten times that of the whole volume: what a slab does not see of the volume is wrong by more.
+constexpr double kTolerance = 10 * LiveClassifier::kLiveTolerance;
+
 // The grey at the edges as a part of the volume has it that begins at `first`.
 GreyLevels levelsFrom(GreyLevels levels, const glm::ivec3& first) {
   if (!levels.edges) return levels;
@@ -37,31 +40,29 @@ ClassifierInput cutOut(const ClassifierInput& whole, const glm::ivec3& first, co
 
 }  // namespace
 
-std::array<std::shared_ptr<const Volume<float>>, 3> SliceSolver::classify(
-    const ClassifierInput& input, const ClassificationOptions& options, const glm::ivec3& voxel,
-    const Progress& progress) {
-  const glm::ivec3 whole = input.volume.value->geometry.dims,
-                   at = glm::clamp(voxel, glm::ivec3(0), whole - 1);
-  const int reach = reachOf(options);
-  std::array<std::shared_ptr<const Volume<float>>, 3> slices;
-  for (int axis = 0; axis < 3; ++axis) {
-    Slab& slab = slabs_[std::size_t(axis)];
-    const Key key = Hasher("slab").add(input.prepared.key).add(axis).add(at[axis]).add(reach).key();
-    if (!(slab.key == key)) {
-      slab = {};
-      glm::ivec3 dims = whole;
-      slab.first[axis] = std::max(at[axis] - reach, 0);
-      dims[axis] = std::min(at[axis] + reach + 1, whole[axis]) - slab.first[axis];
-      slab.input = cutOut(input, slab.first, dims, key);
-      slab.key = key;
-    }
-    const auto u = slab.solver.classify(slab.input, options, progress.part(axis / 3.0, (axis + 1) / 3.0));
-    glm::ivec3 first(0), dims = u->geometry.dims;
-    first[axis] = at[axis] - slab.first[axis];
-    dims[axis] = 1;
-    slices[std::size_t(axis)] = std::make_shared<const Volume<float>>(cropVolume(*u, first, dims));
+std::shared_ptr<const Volume<float>> SliceSolver::classify(const ClassifierInput& input,
+                                                           const ClassificationOptions& options,
+                                                           const VolumeSlice& slice,
+                                                           const Progress& progress) {
+  const glm::ivec3 whole = input.volume.value->geometry.dims;
+  const int axis = slice.axis, at = std::clamp(slice.at, 0, whole[axis] - 1), reach = reachOf(options);
+  Slab& slab = slabs_[std::size_t(axis)];
+  const Key key = Hasher("slab").add(input.prepared.key).add(axis).add(at).add(reach).key();
+  if (!(slab.key == key)) {
+    slab = {};
+    glm::ivec3 dims = whole;
+    slab.first[axis] = std::max(at - reach, 0);
+    dims[axis] = std::min(at + reach + 1, whole[axis]) - slab.first[axis];
+    slab.input = cutOut(input, slab.first, dims, key);
+    slab.key = key;
   }
-  return slices;
+  ClassificationOptions rough = options;
+  rough.tolerance = std::max(options.tolerance, kTolerance);
+  const auto u = slab.solver.classify(slab.input, rough, progress);
+  glm::ivec3 first(0), dims = u->geometry.dims;
+  first[axis] = at - slab.first[axis];
+  dims[axis] = 1;
+  return std::make_shared<const Volume<float>>(cropVolume(*u, first, dims));
 }
 
 }  // namespace sonoskin

@@ -65,6 +65,11 @@ void Target::bind() const {
   glScissor(corner.x, corner.y, size.x, size.y);
 }
 
+void Target::clear(const glm::vec4& colour) const {
+  bind();
+  glClearBufferfv(GL_COLOR, 0, &colour[0]);
+}
+
 void copyStretched(const Framebuffer& from, const Target& to) {
   glDisable(GL_SCISSOR_TEST);
   const glm::ivec2 end = to.corner + to.size;

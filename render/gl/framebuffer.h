@@ -64,6 +64,8 @@ struct Target {
 
   // bind: draws go here, and only here.
   void bind() const;
+  // clear: binds it, and fills its first colour.
+  void clear(const glm::vec4& colour) const;
 };
 
 // copyStretched: the first colour of a framebuffer over the whole target, interpolated.

@@ -313,7 +313,11 @@ TEST_F(PipelineTest, SlicesAreThoseOfTheWholeVolume) {
   pipeline.run(scan, parameters, Goal::classified);
   parameters.classification.beta = 2;
   parameters.classification.alpha *= 0.8;
-  const Results quick = pipeline.slices(scan, parameters, voxel);
+  std::vector<std::ptrdiff_t> there;
+  const Results quick = pipeline.slices(scan, parameters, voxel, {}, [&](const Results& some) {
+    there.push_back(std::ranges::count_if(some.slices, [](const auto& slice) { return slice != nullptr; }));
+  });
+  EXPECT_EQ(there, (std::vector<std::ptrdiff_t>{1, 2, 3})) << "none waits for the others";
   EXPECT_FALSE(quick.classified);
   const auto whole = slicesOf(*pipeline.run(scan, parameters, Goal::classified).classified, voxel);
   for (std::size_t axis = 0; axis < 3; ++axis) {

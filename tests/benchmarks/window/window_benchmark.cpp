@@ -97,7 +97,7 @@ void turn(Watch& watch, const std::string& act, double beta) {
   const std::uint64_t before = session.revision();
   watch.until([&] { return session.revision() != before; });
   const double first = timer.seconds();
-  watch.until([&] { return !session.classifiedIsCoarse(); });
+  watch.until([&] { return session.classifiedIsCurrent() && !session.classifiedIsCoarse(); });
   const double full = timer.seconds();
   watch.idle();
   session.commitEdit();
