@@ -1,16 +1,7 @@
 #include "app/texts/text_table.h"
 
 namespace sonoskin {
-namespace {
 
-// clang-format off
-const Text kTexts[] = {
-  {"Cancel", "Abbrechen", "Annuler"},
-};
-// clang-format on
-
-}  // namespace
-
-std::span<const Text> textTable() { return kTexts; }
+std::array<std::span<const Text>, 1> textTables() { return {commonTexts()}; }
 
 }  // namespace sonoskin

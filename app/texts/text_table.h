@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 namespace sonoskin {
@@ -9,7 +10,10 @@ struct Text {
   const char *english, *german, *french;
 };
 
-// textTable: all that tr() knows.
-std::span<const Text> textTable();
+// The tables, one a subject and file.
+std::span<const Text> commonTexts();
+
+// textTables: all that tr() knows.
+std::array<std::span<const Text>, 1> textTables();
 
 }  // namespace sonoskin

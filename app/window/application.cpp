@@ -14,6 +14,7 @@
 #include "app/panels/command_palette.h"
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
+#include "app/texts/language_choice.h"
 #include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/workspace/commands.h"
@@ -78,7 +79,7 @@ bool Application::attempt(const std::function<void()>& action) {
     return true;
   } catch (const Cancelled&) {
   } catch (const std::exception& error) {
-    workspace_.toasts.add(errorText(error), true);
+    workspace_.toasts.add(trSentence(errorText(error)), true);
   }
   return false;
 }
@@ -128,12 +129,12 @@ void Application::takeInput(const std::optional<Event>& event) {
 void Application::updateDocument() {
   Session& session = workspace_.session;
   for (const Message& message : session.takeMessages())
-    workspace_.toasts.add(message.text, message.kind == Message::Kind::failure);
+    workspace_.toasts.add(trSentence(message.text), message.kind == Message::Kind::failure);
   for (const LogEntry& entry : log_.take()) {
     if (entry.level == LogLevel::warning)
-      workspace_.toasts.warn(entry.sentence);
+      workspace_.toasts.warn(trSentence(entry.sentence));
     else if (noted_.insert(entry.sentence).second)
-      workspace_.toasts.add(entry.sentence, false);
+      workspace_.toasts.add(trSentence(entry.sentence), false);
   }
   const ViewState& view = workspace_.view;
   session.lookAt(isInSlices(workspace_, SliceLayer::classified) ? std::optional(view.cursor) : std::nullopt);
@@ -166,6 +167,7 @@ void Application::draw() {
   std::optional<Event> event;
   const bool begun = attempt([&] {
     if (atFrame && !window_.eventsWait()) atFrame();
+    useLanguage(languageOf(workspace_.settings.language));
     window_.setLook({workspace_.settings.appearance, workspace_.settings.scale});
     workspace_.screenScale = double(window_.screenScale());
     menuKeys_.beforeFrame();

@@ -9,7 +9,8 @@ namespace sonoskin {
 std::span<const Command> fileCommands();
 std::span<const Command> editCommands();
 std::span<const Command> viewCommands();
-std::span<const Command> lookCommands();  // theme and scale, in the menu of the views
+std::span<const Command> lookCommands();      // theme and scale, in the menu of the views
+std::span<const Command> languageCommands();  // in the same menu
 std::span<const Command> stepCommands();
 std::span<const Command> layoutCommands();  // in the menu of the views, as the next four
 std::span<const Command> planeCommands();

@@ -84,6 +84,7 @@ Settings readSettings(const fs::path& file) {
     settings.height = int(std::clamp(root.value("height", double(settings.height)), 600.0, 8192.0));
     settings.skinQuality = named<SkinQualityChoice>(root.value("skinQuality", std::string()));
     settings.appearance = named<Appearance>(root.value("appearance", std::string()));
+    settings.language = named<LanguageChoice>(root.value("language", std::string()));
     settings.scale = scaleIn(root);
     settings.layout = readLayout(root);
   } catch (const json::exception&) {
@@ -104,6 +105,7 @@ void writeSettings(const fs::path& file, const Settings& settings) {
                   {"height", settings.height},
                   {"skinQuality", enumNames(SkinQualityChoice{})[std::size_t(settings.skinQuality)]},
                   {"appearance", enumNames(Appearance{})[std::size_t(settings.appearance)]},
+                  {"language", enumNames(LanguageChoice{})[std::size_t(settings.language)]},
                   {"scale", settings.scale},
                   {"layout", enumNames(Layout{})[std::size_t(settings.layout.layout)]},
                   {"dividerAcross", settings.layout.across},

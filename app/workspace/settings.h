@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/texts/language_choice.h"
 #include "app/widgets/appearance.h"
 #include "app/workspace/layout_state.h"
 
@@ -25,6 +26,7 @@ struct Settings {
   int width = 1500, height = 940;             // of the window, at content scale 1
   SkinQualityChoice skinQuality = SkinQualityChoice::automatic;
   Appearance appearance = Appearance::dark;
+  LanguageChoice language = LanguageChoice::system;
   double scale = 0;  // of texts and widgets, kLeastScale to kMostScale; 0: as the screen has it
   LayoutState layout;
 
