@@ -43,15 +43,14 @@ Names namedAbove() {
 // What it was measured from.
 std::string explanationOf(const Results& results, double share) {
   const IsoRange& range = results.isoRange;
-  std::string text = fmt::format(
+  std::string text = trf(
       "Found from this scan: the fluid's grey is {:.2f}, that of the steepest edges {:.2f}; the iso-value "
-      "lies "
-      "{:.0f} % of the way, {:.2f} in all and {:.2f} to {:.2f} from place to place.",
+      "lies {:.0f} % of the way, {:.2f} in all and {:.2f} to {:.2f} from place to place.",
       range.fluid, range.edge, 100 * share, results.isoValue, range.least, range.most);
   if (const EdgeProfile& edge = results.edge; edge.width > 0)
-    text += fmt::format(" Across the surface the grey rises from {:.2f} to {:.2f} within {:.1f} mm.",
-                        edge.dark, edge.bright, edge.width);
-  return text + " Drag to set one iso-value for the whole scan from there.";
+    text += " " + trf("Across the surface the grey rises from {:.2f} to {:.2f} within {:.1f} mm.", edge.dark,
+                      edge.bright, edge.width);
+  return text + " " + tr("Drag to set one iso-value for the whole scan from there.");
 }
 
 // The words of the rows, where the field's own name says little.
@@ -63,7 +62,7 @@ const std::map<std::string_view, const char*> kLabels{
 
 RowText rowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
   RowText text = useOf(parameters, "classification")(field);
-  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = label->second;
+  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = tr(label->second);
   if (field == "isoValue" && parameters.classification.isoValue == 0) {
     text.shown = tr("auto");
     const Results& results = workspace.session.results();

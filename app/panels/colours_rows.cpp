@@ -37,8 +37,7 @@ void choose(VolumeShow& show, const std::string& name, std::optional<LevelledTra
 }
 
 std::string shownName(const VolumeShow& show) {
-  const std::string name =
-      findTransferPreset(show.colours) ? tr(presetTitle(show.colours).c_str()) : show.colours;
+  const std::string name = findTransferPreset(show.colours) ? presetTitle(show.colours) : show.colours;
   return show.changed ? name + tr(", changed") : name;
 }
 
@@ -46,7 +45,7 @@ std::string shownName(const VolumeShow& show) {
 bool drawList(Workspace& workspace) {
   VolumeShow& show = workspace.view.volume;
   for (const TransferPreset& preset : transferPresets()) {
-    if (ImGui::Selectable(tr(presetTitle(preset.name).c_str()), show.colours == preset.name && !show.changed))
+    if (ImGui::Selectable(presetTitle(preset.name).c_str(), show.colours == preset.name && !show.changed))
       choose(show, preset.name, {});
     noteWidget(std::string("colours.") + preset.name);
   }

@@ -14,15 +14,15 @@ namespace sonoskin::ui {
 namespace {
 
 void drawRecent(Workspace& workspace) {
-  if (!ImGui::BeginMenu("Open recent")) return;
+  if (!ImGui::BeginMenu(trId("Open recent").c_str())) return;
   std::filesystem::path chosen;  // opening reorders the list
   for (const auto& file : workspace.settings.recent) {
     if (ImGui::MenuItem(file.c_str())) chosen = file;
   }
   if (!chosen.empty()) openAny(workspace, chosen);
   if (!workspace.settings.recent.empty()) ImGui::Separator();
-  const bool forget = ImGui::MenuItem("Forget these", nullptr, false, !workspace.settings.recent.empty());
-  const bool other = ImGui::MenuItem("Remember files", nullptr, &workspace.settings.remembersFiles);
+  const bool forget = ImGui::MenuItem(tr("Forget these"), nullptr, false, !workspace.settings.recent.empty());
+  const bool other = ImGui::MenuItem(tr("Remember files"), nullptr, &workspace.settings.remembersFiles);
   if (forget || !workspace.settings.remembersFiles) workspace.settings.recent.clear();
   if (forget || other) workspace.keepSettings();
   ImGui::EndMenu();
@@ -36,7 +36,7 @@ class Submenus {
     const bool same = submenu && title_ && std::string_view(submenu) == title_;
     if (!same) close();
     if (separator && (!same || open_)) ImGui::Separator();
-    if (!same) open_ = !submenu || ImGui::BeginMenu(tr(submenu));
+    if (!same) open_ = !submenu || ImGui::BeginMenu(trId(submenu).c_str());
     title_ = submenu;
     return open_;
   }
@@ -56,8 +56,8 @@ void drawMenu(Menu menu, Workspace& workspace) {
     if (command.menu != menu) continue;
     if (!submenus.enter(command.submenu, command.separator)) continue;
     const bool checked = command.checked && command.checked(workspace);
-    if (ImGui::MenuItem(tr(command.title), shortcutText(command.shortcut).c_str(), checked,
-                        isEnabled(command, workspace))) {
+    if (ImGui::MenuItem(fmt::format("{}###{}", tr(command.title), command.id).c_str(),
+                        shortcutText(command.shortcut).c_str(), checked, isEnabled(command, workspace))) {
       command.run(workspace);
     }
     if (command.id == std::string_view("file.open")) drawRecent(workspace);
@@ -70,10 +70,10 @@ void drawMenuBar(Workspace& workspace) {
   if (!ImGui::BeginMainMenuBar()) return;
   // Before all menus: they share a window, and the one that is open would be drawn into it once more.
   if (const auto asked = std::exchange(workspace.menuAsked, std::nullopt))
-    openMenu(tr(kMenuTitles[std::size_t(*asked)]));
+    openMenu(trId(kMenuTitles[std::size_t(*asked)]).c_str());
   std::size_t shown = 0;  // that is open
   for (std::size_t i = 0; i < kMenuTitles.size(); ++i) {
-    const bool open = ImGui::BeginMenu(tr(kMenuTitles[i]));
+    const bool open = ImGui::BeginMenu(trId(kMenuTitles[i]).c_str());
     noteWidget(std::string("menu.") + kMenuTitles[i]);
     if (!open) continue;
     drawMenu(static_cast<Menu>(i), workspace);

@@ -18,15 +18,11 @@ void applyEdit(Workspace& workspace, const Parameters& parameters, FieldsEdit ed
   if (edit.finished) workspace.session.commitEdit();
 }
 
-std::string sentence(std::string_view text) {
-  std::string result(text);
-  if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
-  return result;
-}
+std::string sentence(std::string_view text) { return capitalised(text); }
 
 std::function<RowText(std::string_view field)> useOf(const Parameters& parameters, std::string_view group) {
   return [&parameters, group](std::string_view field) {
-    return RowText{.unused = std::string(unusedBecause(parameters, group, field))};
+    return RowText{.unused = tr(unusedBecause(parameters, group, field))};
   };
 }
 

@@ -20,22 +20,10 @@ void explain(std::string_view help) {
   if (!ImGui::IsItemHovered()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
-  ImGui::TextUnformatted(
-      fmt::format("{}{}.", char(std::toupper(static_cast<unsigned char>(help[0]))), help.substr(1)).c_str());
+  ImGui::TextUnformatted((capitalised(tr(help)) + ".").c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
-
-}  // namespace
-
-std::string presetTitle(std::string_view name) {
-  std::string title(name);
-  std::replace(title.begin(), title.end(), '-', ' ');
-  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
-}
-
-namespace {
 
 bool drawOurs(Parameters& parameters, const Preset* current) {
   bool chosen = false;
@@ -68,7 +56,7 @@ void drawKeeping(Workspace& w, const UserPreset* current) {
   if (ImGui::Selectable(tr("Save as preset..."))) w.presetName = current ? current->name : std::string();
   noteWidget("preset.save");
   if (!current) return;
-  const std::string forget = fmt::format(fmt::runtime(tr("Delete \"{}\"")), current->name);
+  const std::string forget = trf("Delete \"{}\"", current->name);
   const bool gone = ImGui::Selectable(forget.c_str());
   noteWidget("preset.delete");
   if (!gone) return;

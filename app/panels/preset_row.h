@@ -15,7 +15,4 @@ FieldsEdit presetRow(Workspace& workspace, Parameters& parameters);
 // drawPresetName: asks for the name of a preset that is to be kept.
 void drawPresetName(Workspace& workspace);
 
-// presetTitle: a preset's name for people: "thesis-baby-1" -> "Thesis baby 1".
-std::string presetTitle(std::string_view name);
-
 }  // namespace sonoskin::ui

@@ -33,10 +33,10 @@ const std::filesystem::path* drawFiles(const std::vector<std::filesystem::path>&
 void drawQuestion(Workspace& w) {
   if (!w.question || w.files.purpose) return;
   const std::string title = std::string(tr("Unsaved work")) + "###unsaved";
-  const std::string text = fmt::format(
-      fmt::runtime(tr("{} loses what is not saved: changes of parameters and marks, what was erased, or the "
-                      "surface. A session keeps all of it.")),
-      w.question->what);
+  const std::string text =
+      trf("{} loses what is not saved: changes of parameters and marks, what was erased, or the "
+          "surface. A session keeps all of it.",
+          w.question->what);
   const auto take = [&w] { return std::exchange(w.question, std::nullopt)->action; };
   drawQuestionBox({title.c_str(), text},
                   {{tr("Save session"), "question.save", [&] { saveSession(w, take()); }},
@@ -48,10 +48,9 @@ void drawLostVolume(Workspace& w) {
   if (!w.lostVolume || w.files.purpose) return;
   const std::string title = std::string(tr("The session's volume")) + "###lost";
   const auto choose = [&w] { w.files.ask(FilePurpose::findVolume, w.settings.folder, ""); };
-  drawQuestionBox(
-      {title.c_str(), fmt::format(fmt::runtime(tr("{}. Choose the file, please.")), w.lostVolume->why)},
-      {{tr("Choose..."), "lost.choose", choose},
-       {tr("Cancel"), "lost.cancel", [&w] { w.lostVolume.reset(); }}});
+  drawQuestionBox({title.c_str(), trf("{}. Choose the file, please.", w.lostVolume->why)},
+                  {{tr("Choose..."), "lost.choose", choose},
+                   {tr("Cancel"), "lost.cancel", [&w] { w.lostVolume.reset(); }}});
 }
 
 void drawDropped(Workspace& w) {
@@ -73,8 +72,7 @@ void drawDropped(Workspace& w) {
 void drawRecovery(Workspace& w) {
   if (!w.recovery) return;
   const std::string title = std::string(tr("Restore")) + "###recovery";
-  const std::string text = fmt::format(
-      fmt::runtime(tr("Sonoskin ended unexpectedly. Restore what was open ({})?")), w.recovery->told);
+  const std::string text = trf("Sonoskin ended unexpectedly. Restore what was open ({})?", w.recovery->told);
   const auto take = [&w] { return *std::exchange(w.recovery, std::nullopt); };
   drawQuestionBox({title.c_str(), text}, {{tr("Restore"), "recovery.restore", [&] { take().restore(); }},
                                           {tr("Discard"), "recovery.discard", [&] { take().discard(); }},

@@ -5,6 +5,7 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -22,9 +23,8 @@ bool drawSize(const Workspace::RawQuestion& asked) {
   const double told = bytesOf(asked.options), there = double(asked.bytes);
   const double wanted = told + std::max(asked.options.header, 0);
   const bool fits = told > 0 && (asked.options.header < 0 ? told <= there : wanted == there);
-  const std::string text =
-      fits ? fmt::format("The file has {} bytes, as many as that.", grouped(asked.bytes))
-           : fmt::format("The file has {} bytes; that is {:.0f}.", grouped(asked.bytes), wanted);
+  const std::string text = fits ? trf("The file has {} bytes, as many as that.", grouped(asked.bytes))
+                                : trf("The file has {} bytes; that is {:.0f}.", grouped(asked.bytes), wanted);
   ImGui::TextColored(fits ? colours().text : colours().warning, "%s", text.c_str());
   return fits;
 }
@@ -32,14 +32,15 @@ bool drawSize(const Workspace::RawQuestion& asked) {
 }  // namespace
 
 void drawRawQuestion(Workspace& workspace) {
-  constexpr const char* kTitle = "What the file holds";
   if (!workspace.rawQuestion) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const std::string title = trId("What the file holds");
+  if (!ImGui::IsPopupOpen(title.c_str())) ImGui::OpenPopup(title.c_str());
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({440 * unit(), 0});
-  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+  if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+    return;
   Workspace::RawQuestion& asked = *workspace.rawQuestion;
-  ImGui::TextWrapped("%s has no header; what is in it?", asked.file.filename().string().c_str());
+  ImGui::TextWrapped("%s", trf("{} has no header; what is in it?", asked.file.filename().string()).c_str());
   ImGui::Spacing();
   Parameters shown;
   shown.raw = asked.options;
@@ -50,11 +51,11 @@ void drawRawQuestion(Workspace& workspace) {
   const bool fits = drawSize(asked);
   ImGui::Spacing();
   const ImVec2 size{112 * unit(), 0};
-  const bool stays = ImGui::Button("Cancel", size);
+  const bool stays = ImGui::Button(tr("Cancel"), size);
   noteWidget("raw.cancel");
   ImGui::SameLine();
   ImGui::BeginDisabled(!fits);
-  const bool opens = ImGui::Button("Open", size);
+  const bool opens = ImGui::Button(tr("Open"), size);
   ImGui::EndDisabled();
   noteWidget("raw.open");
   if (stays || opens) ImGui::CloseCurrentPopup();

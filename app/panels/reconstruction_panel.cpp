@@ -23,10 +23,10 @@ std::string partsText(const Results& results) {
   if (results.mesh && results.verdicts) {
     const auto kept = std::count_if(results.verdicts->begin(), results.verdicts->end(),
                                     [](const PartVerdict& v) { return v.kept; });
-    return fmt::format(fmt::runtime(tr("{}, {} shown (P)")), results.verdicts->size(), kept);
+    return trf("{}, {} shown (P)", results.verdicts->size(), kept);
   }
   if (results.mesh && results.pieces && results.pieces->size() > 1)
-    return fmt::format(fmt::runtime(tr("{}, one is shown")), results.pieces->size());
+    return trf("{}, one is shown", results.pieces->size());
   return "–";
 }
 
@@ -39,8 +39,8 @@ std::string areaText(const Session& session) {
 std::string edgeText(const Results& results) {
   const EdgeProfile& edge = results.edge;
   if (!results.points || edge.width <= 0) return "–";
-  return fmt::format(fmt::runtime(tr("grey {:.2f} to {:.2f} in {:.1f} mm, points moved {:.2f} mm")),
-                     edge.dark, edge.bright, edge.width, edge.shift + edge.depth);
+  return trf("grey {:.2f} to {:.2f} in {:.1f} mm, points moved {:.2f} mm", edge.dark, edge.bright, edge.width,
+             edge.shift + edge.depth);
 }
 
 void drawFacts(const Session& session) {
@@ -56,7 +56,7 @@ void drawWarnings(const Session& session) {
   for (const std::string& warning : session.warnings()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colours().warning);
     ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted((sentence(warning) + ".").c_str());
+    ImGui::TextUnformatted((sentence(trSentence(warning)) + ".").c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     noteWidget("surface.warning");
@@ -70,7 +70,7 @@ constexpr std::array<std::string_view, 1> kFirst{"smoothness"};
 void drawFace(const Workspace& workspace) {
   const std::string text =
       faceText(workspace.session.results().face.get(), workspace.session.parameters().face);
-  if (!text.empty()) sentenceText(sentence(text).c_str());
+  if (!text.empty()) sentenceText(sentence(trSentence(text)).c_str());
 }
 
 FieldsEdit drawGroups(Parameters& p) {

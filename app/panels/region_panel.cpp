@@ -22,7 +22,7 @@ void commandButton(const char* id, const char* title, float width, Workspace& wo
   noteWidget(id);
   if (ImGui::IsItemHovered()) {
     const std::string key = shortcutText(c.shortcut);
-    ImGui::SetTooltip("%s%s", c.title, key.empty() ? "" : fmt::format("   {}", key).c_str());
+    ImGui::SetTooltip("%s%s", tr(c.title), key.empty() ? "" : fmt::format("   {}", key).c_str());
   }
 }
 
@@ -34,8 +34,7 @@ FieldsEdit editSide(const Side& side, RegionOptions& options, const Geometry& g)
   const char* help = side.high
                          ? "nothing beyond this is surface; the box's sides can be dragged in the slices"
                          : "nothing before this is surface; the box's sides can be dragged in the slices";
-  const std::string label =
-      fmt::format(fmt::runtime(tr(side.high ? "to" : "Along {}, from")), "ijk"[side.axis]);
+  const std::string label = trf(side.high ? "to" : "Along {}, from", "ijk"[side.axis]);
   const double most = sideAt({side.axis, true}, {}, g), standing = sideAt(side, options, g);
   double mm = standing;
   const FieldsEdit edit = editField(FieldRow{name, Field{"side", help, "mm"}, {.label = label}}, mm,

@@ -25,10 +25,10 @@ constexpr std::array<std::string_view, 4> kLight{"kind", "strength", "warmth", "
 
 RowText skinText(const Parameters& p, std::string_view field) {
   RowText text = useOf(p, "skin")(field);
-  if (field == "detail") text.label = "Pores";
-  if (field == "width") text.label = "Reach";
-  if (field == "mix") text.label = "Colour before";
-  if (field == "thinModel") text.label = "Thin parts";
+  if (field == "detail") text.label = tr("Pores");
+  if (field == "width") text.label = tr("Reach");
+  if (field == "mix") text.label = tr("Colour before");
+  if (field == "thinModel") text.label = tr("Thin parts");
   return text;
 }
 

@@ -52,20 +52,20 @@ FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState&
   std::array<double, 3>& place = landmarks.*landmark.place;
   const float clear = 52 * unit();
   const bool placing = isChosen(view, Tool::landmark) && view.landmark == index;
-  beginRow(landmark.name);
+  beginRow(tr(landmark.name));
   ImGui::PushID(landmark.name);
   const float width = ImGui::GetContentRegionAvail().x - clear - ImGui::GetStyle().ItemSpacing.x;
-  if (switchButton(placing ? "Click on it" : isSet(place) ? "Place again" : "Place", placing, width)) {
+  if (switchButton(tr(placing ? "Click on it" : isSet(place) ? "Place again" : "Place"), placing, width)) {
     view.spaceTool = placing ? Tool::crossHair : Tool::landmark;
     view.landmark = index;
   }
   noteWidget(fmt::format("landmark.{}", index));
-  wrappedTooltip("Then click on the place in the 3D view. Escape: do not.");
+  wrappedTooltip(tr("Then click on the place in the 3D view. Escape: do not."));
   ImGui::SameLine();
   FieldsEdit edit;
   {
     const DisabledIf unset(!isSet(place));
-    if (ImGui::Button("Clear", {clear, 0})) {
+    if (ImGui::Button(tr("Clear"), {clear, 0})) {
       place = {};
       edit = {true, true};
     }
@@ -76,10 +76,10 @@ FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState&
 }
 
 void passRow(SkinShow& show) {
-  beginRow("Show");
+  beginRow(tr("Show"));
   if (ImGui::BeginCombo("##pass", passTitle(show.pass), ImGuiComboFlags_HeightLargest)) {
     for (std::size_t i = 0; i < kPassTitles.size(); ++i) {
-      if (ImGui::Selectable(kPassTitles[i], show.pass == SkinPass(i))) show.pass = SkinPass(i);
+      if (ImGui::Selectable(tr(kPassTitles[i]), show.pass == SkinPass(i))) show.pass = SkinPass(i);
       noteWidget(std::string("skin.pass.") + enumNames(SkinPass{})[i]);
     }
     ImGui::EndCombo();
@@ -91,7 +91,7 @@ void passRow(SkinShow& show) {
 void keep(SkinShow& show, const Parameters& p) { show.kept = {p.skin, p.light, p.landmarks}; }
 
 void compareRows(SkinShow& show, const Parameters& p) {
-  beginRow("Compare");
+  beginRow(tr("Compare"));
   int compare = int(show.compare);
   if (segments("skin.compare", {"Off", "Scatter", "A | B"}, compare)) {
     show.compare = SkinCompare(compare);
@@ -99,42 +99,42 @@ void compareRows(SkinShow& show, const Parameters& p) {
   }
   beginRow("");
   const DisabledIf alone(show.compare != SkinCompare::settings);
-  if (ImGui::Button("Keep this as A", {-1, 0})) keep(show, p);
+  if (ImGui::Button(tr("Keep this as A"), {-1, 0})) keep(show, p);
   noteWidget("skin.keep");
-  wrappedTooltip("The left half shows what is kept, the right half what the sliders say.");
+  wrappedTooltip(tr("The left half shows what is kept, the right half what the sliders say."));
 }
 
 // What is drawn, and why.
-std::string qualityText(SkinQualityChoice choice, const SkinStatus& status) {
-  const std::string time =
-      status.milliseconds > 0 ? fmt::format(", {:.0f} ms a picture", status.milliseconds) : "";
-  const std::string used = std::string(status.full ? "full" : "light") + time;
-  return choice == SkinQualityChoice::automatic ? "in use: " + used : used;
+std::string qualityText(const SkinStatus& status) {
+  const std::string quality = tr(status.full ? "full quality" : "light quality");
+  if (status.milliseconds <= 0) return quality;
+  return trf("{}, {:.0f} ms a picture", quality, status.milliseconds);
 }
 
 void qualityRows(Workspace& w) {
-  beginRow("Quality");
+  beginRow(tr("Quality"));
   int choice = int(w.settings.skinQuality);
   if (segments("skin.quality", {"Auto", "Full", "Light"}, choice))
     w.settings.skinQuality = SkinQualityChoice(choice);
   beginRow("");
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", qualityText(w.settings.skinQuality, w.view.skin.status).c_str());
+  ImGui::TextDisabled("%s", qualityText(w.view.skin.status).c_str());
   wrappedTooltip(
-      "Full: every triangle and texels of 0.15 mm. Light: 100,000 triangles and texels of 0.3 mm, for "
-      "machines "
-      "without a graphics card. Auto takes full where a picture is drawn in less than 30 ms.");
+      tr("Full: every triangle and texels of 0.15 mm. Light: 100,000 triangles and texels of 0.3 mm, for "
+         "machines "
+         "without a graphics card. Auto takes full where a picture is drawn in less than 30 ms."));
 }
 
 }  // namespace
 
-const char* passTitle(SkinPass pass) { return kPassTitles[std::size_t(pass)]; }
+const char* passTitle(SkinPass pass) { return tr(kPassTitles[std::size_t(pass)]); }
 
 FieldsEdit lookRow(Parameters& parameters) {
-  beginRow("Look");
+  beginRow(tr("Look"));
   const Look look = lookOf(parameters);
   const std::string title =
-      !look.preset ? "Your own" : presetTitle(look.preset->name) + (look.otherLight ? ", other light" : "");
+      !look.preset ? tr("Your own")
+                   : presetTitle(look.preset->name) + (look.otherLight ? tr(", other light") : "");
   FieldsEdit edit;
   if (ImGui::BeginCombo("##look", title.c_str(), ImGuiComboFlags_HeightLargest)) {
     for (const SkinPreset& preset : skinPresets()) {
@@ -144,13 +144,13 @@ FieldsEdit lookRow(Parameters& parameters) {
         edit = {true, true};
       }
       noteWidget("look." + std::string(preset.name));
-      wrappedTooltip((sentence(preset.help) + ".").c_str());
+      wrappedTooltip((sentence(tr(preset.help)) + ".").c_str());
     }
     ImGui::EndCombo();
     return edit;
   }
   noteWidget("look");
-  if (look.preset) wrappedTooltip((sentence(look.preset->help) + ".").c_str());
+  if (look.preset) wrappedTooltip((sentence(tr(look.preset->help)) + ".").c_str());
   return edit;
 }
 

@@ -34,12 +34,12 @@ void drawScanCells(const Scan& scan, const glm::dvec3& cursor) {
     cell("Spacing", fmt::format("{} × {} × {} mm", millimetres(g.spacing.x), millimetres(g.spacing.y),
                                 millimetres(g.spacing.z)));
   } else {
-    cell("Spacing", "unknown", colours().warning);
+    cell("Spacing", tr("unknown"), colours().warning);
   }
   const glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::round(g.toIndex(cursor))), glm::ivec3(0), g.dims - 1);
   const glm::dvec3 world = g.toWorld(glm::dvec3(voxel));
-  cell("Cross-hair", fmt::format("{}, {}, {}  at {:.1f}, {:.1f}, {:.1f} mm", voxel.x, voxel.y, voxel.z,
-                                 world.x, world.y, world.z));
+  cell("Cross-hair",
+       trf("{}, {}, {}  at {:.1f}, {:.1f}, {:.1f} mm", voxel.x, voxel.y, voxel.z, world.x, world.y, world.z));
   cell("Value", valueAt(scan, voxel));
 }
 
@@ -58,9 +58,9 @@ void drawResultCells(const Session& session) {
 
 // How many warnings were not seen yet; opens the log, or closes it.
 void drawMessagesButton(MessageLog& log) {
-  const std::string label = log.unseen == 1  ? std::string("1 warning")
-                            : log.unseen > 0 ? fmt::format("{} warnings", log.unseen)
-                                             : std::string("Messages");
+  const std::string label = log.unseen == 1  ? std::string(tr("1 warning"))
+                            : log.unseen > 0 ? trf("{} warnings", log.unseen)
+                                             : std::string(tr("Messages"));
   const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - 12 * unit());
   ImGui::PushStyleColor(ImGuiCol_Text, log.unseen > 0 ? colours().warning : colours().faintText);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/panels/panels.h"
+#include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
@@ -27,16 +28,18 @@ int drawList(const std::vector<VolumeEntry>& volumes) {
 }  // namespace
 
 void drawVolumeChoice(Workspace& workspace) {
-  constexpr const char* kTitle = "Choose a volume";
   if (!workspace.choice) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const std::string title = trId("Choose a volume");
+  if (!ImGui::IsPopupOpen(title.c_str())) ImGui::OpenPopup(title.c_str());
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
+  if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
     return;
-  ImGui::Text("There are %d volumes; which one is to be opened?", int(workspace.choice->volumes.size()));
+  ImGui::TextUnformatted(
+      trf("There are {} volumes; which one is to be opened?", workspace.choice->volumes.size()).c_str());
   ImGui::Spacing();
   const int chosen = drawList(workspace.choice->volumes);
-  const bool stays = ImGui::Button("Cancel", {112 * unit(), 0});
+  const bool stays = ImGui::Button(tr("Cancel"), {112 * unit(), 0});
   noteWidget("choice.cancel");
   if (stays || chosen > 0) {
     const VolumeChoice choice = *std::exchange(workspace.choice, std::nullopt);

@@ -15,7 +15,7 @@ namespace {
 
 // Another spacing makes another surface of it.
 void applySpacing(Workspace& workspace, const glm::dvec3& spacing) {
-  workspace.confirmLoss("Setting the spacing", [&workspace, spacing] {
+  workspace.confirmLoss(tr("Setting the spacing"), [&workspace, spacing] {
     Parameters parameters = workspace.session.parameters();
     parameters.scan.spacing = {spacing.x, spacing.y, spacing.z};
     workspace.session.edit(parameters);
@@ -28,8 +28,8 @@ void askSpacing(Workspace& workspace, bool known) {
   ImGui::PushTextWrapPos();
   if (!known)
     ImGui::TextColored(
-        colours().warning,
-        "The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real.");
+        colours().warning, "%s",
+        tr("The file gives no voxel spacing; 1 mm stands for it, so lengths and areas are not real."));
   ImGui::PopTextWrapPos();
   glm::dvec3& spacing = workspace.typedSpacing;
   const double least = 0.001, most = 100;
@@ -38,19 +38,19 @@ void askSpacing(Workspace& workspace, bool known) {
                      ImGuiSliderFlags_AlwaysClamp);
   noteWidget("volume.spacing");
   ImGui::SameLine();
-  if (ImGui::Button("Apply", {-1, 0})) applySpacing(workspace, spacing);
+  if (ImGui::Button(tr("Apply"), {-1, 0})) applySpacing(workspace, spacing);
   noteWidget("volume.applySpacing");
 }
 
 // The slider shows the step that was asked for; the picture follows.
 void drawStepSlider(Workspace& workspace, int steps) {
   const bool plays = workspace.play.on;
-  if (ImGui::Button(plays ? "Stop" : "Play", {58 * unit(), 0})) play(workspace, !plays);
+  if (ImGui::Button(tr(plays ? "Stop" : "Play"), {58 * unit(), 0})) play(workspace, !plays);
   noteWidget("volume.play");
   ImGui::SameLine();
   int time = workspace.session.parameters().scan.time;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderInt("##time", &time, 1, steps, fmt::format("step %d of {}", steps).c_str(),
+  if (ImGui::SliderInt("##time", &time, 1, steps, trf("step %d of {}", steps).c_str(),
                        ImGuiSliderFlags_AlwaysClamp))
     showStep(workspace, time);
   if (ImGui::IsItemDeactivatedAfterEdit()) workspace.session.commitEdit();
@@ -61,10 +61,10 @@ void drawStepSlider(Workspace& workspace, int steps) {
 void drawStepRange(TimePlay& range, int steps) {
   int first = std::clamp(range.first, 1, steps), last = range.last > 0 ? std::min(range.last, steps) : steps;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("Range");
+  ImGui::TextDisabled("%s", tr("Range"));
   ImGui::SameLine(66 * unit());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::DragIntRange2("##range", &first, &last, 0.1f, 1, steps, "from %d", "to %d",
+  if (ImGui::DragIntRange2("##range", &first, &last, 0.1f, 1, steps, tr("from %d"), tr("to %d"),
                            ImGuiSliderFlags_AlwaysClamp)) {
     range.first = first;
     range.last = last;
@@ -73,7 +73,7 @@ void drawStepRange(TimePlay& range, int steps) {
 }
 
 std::string range(const Scan& scan) {
-  return fmt::format("{} {:g} to {:g}", scan.originalType, scan.originalMin, scan.originalMax);
+  return trf("{} {:g} to {:g}", scan.originalType, scan.originalMin, scan.originalMax);
 }
 
 // What has no effect for the parameters' sake, or the file's.

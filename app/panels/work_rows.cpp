@@ -25,7 +25,7 @@ void drawCancel(Session& session, bool busy, bool stopped, float width) {
 
 std::string progressText(const Activity& activity, DocumentState state) {
   if (!activity.busy) return tr(stateText(state));
-  return fmt::format("{}  {:.0f} %", sentence(activity.what), 100 * activity.fraction);
+  return fmt::format("{}  {:.0f} %", sentence(trSentence(activity.what)), 100 * activity.fraction);
 }
 
 // One line that is always there, so that nothing moves when work begins and ends.

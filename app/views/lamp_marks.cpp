@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/texts/texts.h"
 #include "app/views/skin_scene.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -37,7 +38,7 @@ void drawRays(ImDrawList& list, const glm::vec2& middle, float from, float to, I
 std::string lampText(const LightOptions& light) {
   const std::string angles = fmt::format("{:.0f}°, {:.0f}°", light.azimuth, light.elevation);
   if (light.kind == LightKind::far) return angles;
-  return fmt::format("{}, distance {:.0f}", angles, light.distance);
+  return trf("{}, distance {:.0f}", angles, light.distance);
 }
 
 }  // namespace
@@ -94,8 +95,8 @@ void drawDivider(const Workspace& workspace, const PaneInput& pane, bool near) {
   const ImU32 colour = near ? ImGui::GetColorU32(kAccent) : IM_COL32(235, 235, 235, 190);
   list.AddLine({x, pane.corner.y}, {x, pane.corner.y + pane.size.y}, colour, (near ? 2.f : 1.f) * u);
   const bool scatter = show.compare == SkinCompare::scatter;
-  const std::string left = scatter ? "light stays above" : "A, kept",
-                    right = scatter ? "light goes in" : "B, now";
+  const std::string left = tr(scatter ? "light stays above" : "A, kept"),
+                    right = tr(scatter ? "light goes in" : "B, now");
   const float width = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, left.c_str()).x;
   const float y = pane.corner.y + 32 * u;
   shadedText({x - width - 8 * u, y}, kText, left);

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "app/document/landmarks.h"
+#include "app/texts/texts.h"
 #include "app/views/projection.h"
 #include "app/views/tools.h"
 #include "core/mesh/search/ray_hit.h"
@@ -16,7 +17,7 @@ void place(Workspace& w, const PaneInput& input) {
   const glm::vec3 direction = rayThrough(input.mouse, camera, input);
   const auto hit = firstHit(*w.session.results().mesh, camera.eye(), direction);
   if (!hit) {
-    w.toasts.add("There is no surface there: click on the face.", false);
+    w.toasts.add(tr("There is no surface there: click on the face."), false);
     return;
   }
   const glm::vec3 at = camera.eye() + *hit * direction;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/part_edits.h"
+#include "app/texts/texts.h"
 #include "app/views/projection.h"
 #include "app/views/scene.h"
 #include "app/views/tools.h"
@@ -30,18 +31,18 @@ void clickPart(const ToolState::Stroke& stroke, Workspace& w, const PaneInput& i
   const MeshOptions& options = w.session.parameters().mesh;
   if (stroke.shift) {
     w.session.editParts(partAlone(results, options, *pick));
-    w.toasts.add("This part alone. Ctrl+Z: as before.", false);
+    w.toasts.add(tr("This part alone. Ctrl+Z: as before."), false);
     return;
   }
   const bool kept = (*results.verdicts)[pick->part].kept;
   const auto changed = togglePart(results, options, *pick);
   if (!changed) {
-    w.toasts.add("This is the last part that is left.", false);
+    w.toasts.add(tr("This is the last part that is left."), false);
     return;
   }
-  w.toasts.add(fmt::format("A part of {} {}. Ctrl+Z: as before.", areaOf(w, pick->part),
-                           kept ? "taken away" : "brought back"),
-               false);
+  const char* told =
+      kept ? "A part of {} taken away. Ctrl+Z: as before." : "A part of {} brought back. Ctrl+Z: as before.";
+  w.toasts.add(trf(told, areaOf(w, pick->part)), false);
   w.session.editParts(*changed);
 }
 
@@ -51,11 +52,11 @@ void splitAlong(const ToolState::Stroke& line, Workspace& w, const PaneInput& in
   const auto rayAt = [&](float t) { return rayThrough(glm::mix(line.from, line.to, t), camera, input); };
   const auto stroke = strokeAcross(w.session.results(), camera.eye(), rayAt);
   if (!stroke) {
-    w.toasts.add("There is no part below the line: draw it across one.", false);
+    w.toasts.add(tr("There is no part below the line: draw it across one."), false);
     return;
   }
   w.session.editParts(addStroke(w.session.parameters().mesh, *stroke));
-  w.toasts.add("Split along the line. Ctrl+Z: as before.", false);
+  w.toasts.add(tr("Split along the line. Ctrl+Z: as before."), false);
 }
 
 }  // namespace
@@ -94,9 +95,8 @@ std::string partCaption(const Workspace& workspace) {
   const auto& verdicts = *workspace.session.results().verdicts;
   const auto kept =
       std::count_if(verdicts.begin(), verdicts.end(), [](const PartVerdict& v) { return v.kept; });
-  return fmt::format(
-      "{} of {} parts shown   click: off and on   Shift+click: alone   Ctrl+line: split   Esc: done", kept,
-      verdicts.size());
+  return trf("{} of {} parts shown   click: off and on   Shift+click: alone   Ctrl+line: split   Esc: done",
+             kept, verdicts.size());
 }
 
 }  // namespace sonoskin::ui

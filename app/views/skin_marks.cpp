@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/document/landmarks.h"
+#include "app/texts/texts.h"
 #include "app/views/lamp_marks.h"
 #include "app/views/projection.h"
 #include "app/widgets/theme.h"
@@ -43,10 +44,10 @@ void drawLandmarks(const Workspace& workspace, const PaneInput& pane) {
     if (!seen) continue;
     list.AddCircle(at(*seen), 4 * u, kShade, 16, 3 * u);
     list.AddCircle(at(*seen), 4 * u, ImGui::GetColorU32(kAccent), 16, 1.5f * u);
-    shadedText({seen->x + 8 * u, seen->y - 7 * u}, kText, landmark.name);
+    shadedText({seen->x + 8 * u, seen->y - 7 * u}, kText, tr(landmark.name));
   }
   if (isChosen(workspace.view, Tool::landmark)) {
-    const std::string text = fmt::format("Click on: {}", kLandmarks[workspace.view.landmark].name);
+    const std::string text = trf("Click on: {}", tr(kLandmarks[workspace.view.landmark].name));
     shadedText({pane.corner.x + 12 * u, pane.corner.y + 32 * u}, kWarning, text);
   }
 }
@@ -73,9 +74,9 @@ void drawReach(const Workspace& workspace, const PaneInput& pane) {
     }
   }
   const float below = middle.y + float(std::max(most[0], most[1])) * pixels + 6 * u;
-  const std::string text = fmt::format(
-      "half of the red within {:.2f} mm, nine tenths within {:.1f} mm; green {:.2f} and {:.2f} mm",
-      radiusOfEnergy(diffusion, 0, 0.5), most[0], radiusOfEnergy(diffusion, 1, 0.5), most[1]);
+  const std::string text =
+      trf("half of the red within {:.2f} mm, nine tenths within {:.1f} mm; green {:.2f} and {:.2f} mm",
+          radiusOfEnergy(diffusion, 0, 0.5), most[0], radiusOfEnergy(diffusion, 1, 0.5), most[1]);
   const float width = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, text.c_str()).x;
   shadedText({middle.x - 0.5f * width, below}, kText, text);
 }

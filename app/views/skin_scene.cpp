@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/texts/texts.h"
 #include "app/views/scene.h"
 #include "core/base/free_memory.h"
 #include "core/pipeline/face_use.h"
@@ -93,7 +94,8 @@ bool SkinScene::shows(const Workspace& workspace) const {
 std::string SkinScene::caption() const {
   for (const Worker::Status& status :
        {worker_ ? worker_->status() : Worker::Status{}, presentRefiner_.status(), keptRefiner_.status()})
-    if (status.busy) return fmt::format("{}  {:.0f} %", status.label, 100 * status.fraction);
+    if (status.busy)
+      return fmt::format("{}  {:.0f} %", tr(std::string_view(status.label)), 100 * status.fraction);
   return {};
 }
 

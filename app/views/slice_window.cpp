@@ -38,7 +38,7 @@ std::string placeText(const Workspace& w, const ViewFrame& frame, Plane plane) {
   const int last = g.dims[axes.across];
   const int index = static_cast<int>(std::lround(g.toIndex(w.view.cursor)[axes.across]));
   const int before = axes.acrossGrows ? index : last - 1 - index;
-  const std::string count = fmt::format(fmt::runtime(tr("{} of {}")), before + 1, last);
+  const std::string count = trf("{} of {}", before + 1, last);
   if (!frame.isPatient) return fmt::format("{}   {:.1f} mm", count, double(before) * g.spacing[axes.across]);
   const double at = w.view.cursor[int(plane)];
   return fmt::format("{}   {} {:.1f} mm", count, "RLAPIS"[2 * int(plane) + (at > 0 ? 1 : 0)], std::abs(at));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/texts/texts.h"
 #include "app/views/box_lines.h"
 #include "app/views/cross_hair_marks.h"
 #include "app/views/measure_marks.h"
@@ -22,11 +23,11 @@ constexpr double kWheelRests = 0.25;        // seconds without a turn
 constexpr double kPreparingSeconds = 0.06;  // between looks at how far the skin is prepared
 
 std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
-  std::string text = grouped(w.session.results().mesh->triangles.size()) + " triangles";
+  std::string text = trf("{} triangles", grouped(w.session.results().mesh->triangles.size()));
   if (!w.session.meshIsCurrent()) {
-    text += ", stale";
+    text += std::string(", ") + tr("stale");
   } else if (!w.session.meshIsFinal()) {
-    text += " (live)";
+    text += fmt::format(" ({})", tr("live"));
   }
   const std::string preparing = wantsSkin(w) ? window.skin.caption() : "";
   return preparing.empty() ? text : preparing;
@@ -38,7 +39,7 @@ std::string caption(const SpaceWindow& window, const Workspace& w) {
   if (showsMesh(w)) return meshCaption(window, w);
   const bool raw = v.volumeLayer == VolumeLayer::raw;
   const char* layer = raw ? "raw" : w.session.classifiedIsCoarse() ? "coarse" : "classified";
-  return fmt::format("{}, level {:.2f}", layer, shownLevel(v, w.session.results()));
+  return trf("{}, level {:.2f}", tr(layer), shownLevel(v, w.session.results()));
 }
 
 // The turntable, while nothing else has the mouse; whether it has turned.
@@ -57,7 +58,8 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   const double now = ImGui::GetTime();
   if (!workspace.session.hasScan()) {
     const Activity activity = workspace.session.activity();
-    if (activity.busy) paneText(pane, fmt::format("{}  {:.0f} %", activity.what, 100 * activity.fraction));
+    if (activity.busy)
+      paneText(pane, fmt::format("{}  {:.0f} %", trSentence(activity.what), 100 * activity.fraction));
     paneTitle(pane, "3D", kSurface, "");
     return -1;
   }

@@ -39,19 +39,16 @@ void tooltip(const FieldRow& row, const std::string& facts) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-  std::string help = tr(std::string(row.field.help).c_str());
-  if (!help.empty()) help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
-  ImGui::TextUnformatted((help + ".").c_str());
+  ImGui::TextUnformatted((capitalised(tr(row.field.help)) + ".").c_str());
   if (!row.text.found.empty()) ImGui::TextUnformatted(row.text.found.c_str());
   if (!row.text.unused.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colours().warning);
-    ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("Not used now. {}.")), row.text.unused).c_str());
+    ImGui::TextUnformatted(trf("Not used now. {}.", row.text.unused).c_str());
     ImGui::PopStyleColor();
   }
-  if (const std::string_view equation = equationOf(row.id); !equation.empty())
-    ImGui::TextUnformatted(equation.data(), equation.data() + equation.size());
-  if (!row.field.symbol.empty())
-    faintLine(fmt::format(fmt::runtime(tr("Symbol {}")), greekSymbol(row.field.symbol)));
+  if (const std::string equation = equationOf(row.id); !equation.empty())
+    ImGui::TextUnformatted(equation.c_str());
+  if (!row.field.symbol.empty()) faintLine(trf("Symbol {}", greekSymbol(row.field.symbol)));
   faintLine(facts);
   faintLine(tr("Right click or double click: default"));
   ImGui::PopTextWrapPos();
@@ -65,7 +62,7 @@ void beginRow(const std::string& text, const std::string& symbol) {
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   const float symbolRoom = symbol.empty() ? 0 : symbolWidth(symbol) + 6 * unit();
-  labelText(tr(text.c_str()), ImGui::GetContentRegionAvail().x - symbolRoom);
+  labelText(text, ImGui::GetContentRegionAvail().x - symbolRoom);
   if (!symbol.empty()) {
     ImGui::SameLine(0, 6 * unit());
     drawSymbol(symbol);
@@ -116,7 +113,7 @@ std::string withUnit(const std::string& number, const Field& field) {
 }
 
 std::string rangeText(const std::string& from, const std::string& to, const std::string& standard) {
-  return fmt::format(fmt::runtime(tr("{} to {}, default {}")), from, to, standard);
+  return trf("{} to {}, default {}", from, to, standard);
 }
 
 }  // namespace sonoskin::ui

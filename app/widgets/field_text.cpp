@@ -7,16 +7,25 @@
 
 #include "app/widgets/fields_ui.h"
 
+#include "app/texts/texts.h"
+
 namespace sonoskin::ui {
 
-std::string fieldLabel(const Field& field) {
+std::string fieldName(const Field& field) {
   std::string label;
   for (const char c : field.name) {
     if (std::isupper(static_cast<unsigned char>(c))) label += ' ';
     label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  if (!label.empty()) label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
-  return label;
+  return capitalised(label);
+}
+
+std::string fieldLabel(const Field& field) { return tr(std::string_view(fieldName(field))); }
+
+std::string presetTitle(std::string_view name) {
+  std::string title(name);
+  std::replace(title.begin(), title.end(), '-', ' ');
+  return tr(std::string_view(capitalised(title)));
 }
 
 std::string greekSymbol(std::string_view symbol) {

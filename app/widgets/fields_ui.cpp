@@ -16,9 +16,7 @@ namespace {
 // More steps than this on one track cannot be told apart with a mouse.
 constexpr int kMostSliderSteps = 2500;
 
-std::string defaultText(const std::string& standard) {
-  return fmt::format(fmt::runtime(tr("Default {}")), standard);
-}
+std::string defaultText(const std::string& standard) { return trf("Default {}", standard); }
 
 // A whole number of a wide range is typed, or stepped by its buttons.
 FieldsEdit editStepped(const FieldRow& row, int& value, int standard, Range<int> range) {
@@ -106,10 +104,12 @@ FieldsEdit editField(const FieldRow& row, std::string& value, const std::string&
 
 FieldsEdit editChoice(const FieldRow& row, int& value, int standard, std::span<const char* const> names) {
   openRow(row);
+  std::vector<const char*> shown;
+  for (const char* name : names) shown.push_back(tr(name));
   FieldsEdit edit;
   edit.changed = edit.finished =
-      ImGui::Combo("##choice", &value, names.data(), static_cast<int>(names.size()));
-  edit |= finish(row, value, standard, defaultText(names[std::size_t(standard)]));
+      ImGui::Combo("##choice", &value, shown.data(), static_cast<int>(shown.size()));
+  edit |= finish(row, value, standard, defaultText(shown[std::size_t(standard)]));
   return edit;
 }
 
@@ -118,7 +118,7 @@ FieldsEdit editField(const FieldRow& row, Places& value, const Places& standard,
   FieldsEdit edit;
   const std::string text = value.empty()       ? tr("none")
                            : value.size() == 1 ? tr("1 place")
-                                               : fmt::format(fmt::runtime(tr("{} places")), value.size());
+                                               : trf("{} places", value.size());
   ImGui::BeginDisabled(value.empty());
   if (ImGui::Button((text + (value.empty() ? "" : tr(": forget")) + "###forget").c_str(),
                     {widgetWidth(), 0})) {

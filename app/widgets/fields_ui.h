@@ -64,7 +64,7 @@ FieldsEdit editField(const FieldRow& row, E& value, E standard) {
   return edit;
 }
 
-// beginRow: the label, in English, of a row of one's own, with its symbol; the widget comes next, as wide as those
+// beginRow: the label of a row of one's own, with its symbol; the widget comes next, as wide as those
 // of other rows.
 void beginRow(const std::string& label, const std::string& symbol = {});
 
@@ -106,8 +106,10 @@ FieldsEdit editFields(std::string_view group, Options& options, const Rows& rows
 }
 
 // Texts of a row, without an interface.
-std::string fieldLabel(const Field& field);                  // "tangentialLength" -> "Tangential length"
-std::string greekSymbol(std::string_view symbol);            // "alpha" -> "α", "v_iso" as it is
+std::string fieldName(const Field& field);         // "tangentialLength" -> "Tangential length"
+std::string fieldLabel(const Field& field);        // the same in the window's language
+std::string presetTitle(std::string_view name);    // of a preset: "thesis-baby-1" -> "Thesis baby 1"
+std::string greekSymbol(std::string_view symbol);  // "alpha" -> "α", "v_iso" as it is
 std::string fieldNumber(double value, Range<double> range);  // with the digits that the range asks for
 double roundedForSlider(double value);                       // to three significant digits
 

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
 
@@ -37,14 +38,14 @@ void drawPath(FileDialog& dialog) {
 void drawPlaces(FileDialog& dialog) {
   const char* home = std::getenv("HOME");
   std::error_code error;
-  if (home && ImGui::Selectable("Home")) dialog.enter(home);
+  if (home && ImGui::Selectable(tr("Home"))) dialog.enter(home);
   for (const char* name : {"Desktop", "Documents", "Downloads", "Pictures"}) {
     if (!home) break;
     const fs::path place = fs::path(home) / name;
-    if (fs::is_directory(place, error) && ImGui::Selectable(name)) dialog.enter(place);
+    if (fs::is_directory(place, error) && ImGui::Selectable(tr(name))) dialog.enter(place);
   }
-  if (ImGui::Selectable("Computer")) dialog.enter("/");
-  if (dialog.folder.has_parent_path() && ImGui::Selectable("Up one folder"))
+  if (ImGui::Selectable(tr("Computer"))) dialog.enter("/");
+  if (dialog.folder.has_parent_path() && ImGui::Selectable(tr("Up one folder")))
     dialog.enter(dialog.folder.parent_path());
 }
 
@@ -78,7 +79,7 @@ bool drawEntries(FileDialog& dialog) {
   if (dialog.entries.empty()) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("Nothing to choose here");
+    ImGui::TextDisabled("%s", tr("Nothing to choose here"));
   }
   ImGui::EndTable();
   if (!entered.empty()) dialog.enter(entered);
@@ -96,17 +97,17 @@ bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
   dialog.opening = false;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (button + gap));
   bool done =
-      ImGui::InputTextWithHint("##name", "File name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint("##name", tr("File name"), &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) dialog.replaceAsked = false;
   noteWidget("file.name");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, withAlpha(colours().accent, 0.55f));
-  done |= ImGui::Button(dialog.replaceAsked ? "Replace" : text.button, {button, 0});
+  done |= ImGui::Button(trId(dialog.replaceAsked ? "Replace" : text.button).c_str(), {button, 0});
   ImGui::PopStyleColor();
   noteWidget("file.accept");
   ImGui::SameLine();
-  closed =
-      ImGui::Button("Cancel", {button, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  closed = ImGui::Button(tr("Cancel"), {button, 0}) ||
+           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   return done;
 }
 
@@ -115,16 +116,17 @@ bool drawBottom(FileDialog& dialog, const FilePurposeText& text, bool& closed) {
 std::optional<FileChoice> drawFileDialog(FileDialog& dialog) {
   if (!dialog.purpose) return {};
   const FilePurposeText text = purposeText(*dialog.purpose);
-  if (dialog.opening) ImGui::OpenPopup(text.title);
+  const std::string title = trId(text.title);
+  if (dialog.opening) ImGui::OpenPopup(title.c_str());
   const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
   ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({720 * unit(), 480 * unit()});
   std::optional<FileChoice> choice;
   bool closed = false;
-  if (!ImGui::BeginPopupModal(text.title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+  if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
     return {};
   drawPath(dialog);
-  if (ImGui::Checkbox("All files", &dialog.allFiles)) dialog.enter(dialog.folder);
+  if (ImGui::Checkbox(tr("All files"), &dialog.allFiles)) dialog.enter(dialog.folder);
   const float bottom = 2.15f * ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("places", {130 * unit(), -bottom});
   drawPlaces(dialog);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/texts/texts.h"
 #include "app/widgets/file_dialog.h"
 #include "core/base/error.h"
 
@@ -95,7 +96,7 @@ void FileDialog::enter(const fs::path& wanted) {
     entries = listFolder(full, allFiles ? std::nullopt : std::optional(purposeText(*purpose).kind));
     folder = full;
   } catch (const fs::filesystem_error&) {
-    complaint = "This folder cannot be read: " + wanted.string();
+    complaint = trf("This folder cannot be read: {}", wanted.string());
   }
 }
 
@@ -103,10 +104,10 @@ namespace {
 
 std::string replacedText(const std::vector<fs::path>& files) {
   const std::string names = files.front().filename().string();
-  if (files.size() == 1) return names + " is there already; press Replace to write over it.";
+  if (files.size() == 1) return trf("{} is there already; press Replace to write over it.", names);
   const std::string others =
-      files.size() == 2 ? files.back().filename().string() : std::to_string(files.size() - 1) + " more files";
-  return names + " and " + others + " are there already; press Replace to write over them.";
+      files.size() == 2 ? files.back().filename().string() : trf("{} more files", files.size() - 1);
+  return trf("{} and {} are there already; press Replace to write over them.", names, others);
 }
 
 // The name with the usual ending where it has none.
@@ -126,7 +127,7 @@ std::optional<fs::path> accept(FileDialog& dialog) {
     return std::nullopt;
   };
   std::error_code error;
-  if (dialog.name.empty()) return complain("Choose a file or type its name.");
+  if (dialog.name.empty()) return complain(tr("Choose a file or type its name."));
   fs::path path = dialog.folder / dialog.name;  // a whole path stays what it is
   if (fs::is_directory(path, error)) {
     dialog.name.clear();
@@ -136,10 +137,10 @@ std::optional<fs::path> accept(FileDialog& dialog) {
   try {
     if (text.save) path = withEnding(path, text.kind);
   } catch (const Error& wrong) {
-    return complain(wrong.what());
+    return complain(trSentence(wrong.what()));
   }
   if (!text.save && !fs::exists(path, error))
-    return complain("There is no file of that name here; choose one of the list.");
+    return complain(tr("There is no file of that name here; choose one of the list."));
   if (!text.save || dialog.replaceAsked) return path;
   if (const auto replaced = replacedFiles(*dialog.purpose, path); !replaced.empty()) {
     dialog.replaceAsked = true;

@@ -34,7 +34,7 @@ float textSegmentsWidth(std::initializer_list<const char*> names);
 //   width  0: as wide as its text
 bool switchButton(const char* title, bool on, float width = 0);
 
-// foldout: a heading, in English, that opens and closes what follows; true while it is open.
+// foldout: a heading, in English as its tooltip, that opens and closes what follows; true while it is open.
 bool foldout(const char* title, const char* tooltip);
 
 // mainButton: a button over the whole width, in the accent's colour.

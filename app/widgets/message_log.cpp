@@ -6,6 +6,7 @@
 #include <array>
 #include <ctime>
 
+#include "app/texts/texts.h"
 #include "app/widgets/nameless.h"
 
 namespace sonoskin::ui {
@@ -49,7 +50,7 @@ std::string MessageLog::text() const {
   std::string all;
   for (const Entry& entry : entries)
     if (shows(entry))
-      all += fmt::format("{} {}: {}\n", entry.time, kNames[std::size_t(entry.kind)],
+      all += fmt::format("{} {}: {}\n", entry.time, tr(kNames[std::size_t(entry.kind)]),
                          withoutNames(entry.text, files));
   return all;
 }

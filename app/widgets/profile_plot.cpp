@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/plot_area.h"
 #include "app/widgets/theme.h"
@@ -38,7 +39,7 @@ void drawCurves(const ProfilePlot& plot) {
   area.logarithmic = plot.logarithmic;
   area.high = std::max(1.05 * std::max(highest(curves.target), highest(curves.fit)), 0.1);
   if (plot.logarithmic) area.low = 1e-4;
-  drawAxes(area, "distance, mm");
+  drawAxes(area, tr("distance, mm"));
   for (int c = 0; c < 3; ++c) {
     const auto through = [&](const std::vector<glm::dvec3>& curve) {
       return [&, c](int i) { return ImVec2(float(curves.radius[size_t(i)]), float(curve[size_t(i)][c])); };
@@ -56,11 +57,11 @@ void drawCurves(const ProfilePlot& plot) {
 void explainCurves(const ProfileCurves& curves) {
   if (!ImGui::IsItemHovered()) return;
   std::string text =
-      "The share of the light that leaves the skin per millimetre of distance from where it went in, for "
-      "red, green "
-      "and blue; the triangles mark half of it.";
+      tr("The share of the light that leaves the skin per millimetre of distance from where it went in, for "
+         "red, green and blue; the triangles mark half of it.");
   if (curves.fitted)
-    text += "\nPale: what the Gaussians are fitted to. Thin: their sum, which the picture uses.";
+    text += std::string("\n") +
+            tr("Pale: what the Gaussians are fitted to. Thin: their sum, which the picture uses.");
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(320 * unit());
   ImGui::TextUnformatted(text.c_str());
@@ -73,7 +74,7 @@ void drawError(const ProfileCurves& curves) {
   for (size_t i = 0; i < size_t(kSteps); ++i)
     for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(curves.fit[i][c] - curves.target[i][c]));
   most = tickStep(most, 1);
-  ImGui::TextDisabled("Error of the fit, 1/mm");
+  ImGui::TextDisabled("%s", tr("Error of the fit, 1/mm"));
   PlotArea area = layOutPlot("profile.error", 60 * unit(), false);
   area.right = ProfileCurves::kReach;
   area.low = -most, area.high = most;
@@ -85,8 +86,8 @@ void drawError(const ProfileCurves& curves) {
     };
     drawCurve(area, kSteps, difference, channelColour(c), 1.2f);
   }
-  fact("Off by", fmt::format("{:.2g}, {:.2g}, {:.2g} % (L2)", 100 * curves.error.x, 100 * curves.error.y,
-                             100 * curves.error.z));
+  fact(tr("Off by"), fmt::format("{:.2g}, {:.2g}, {:.2g} % (L2)", 100 * curves.error.x, 100 * curves.error.y,
+                                 100 * curves.error.z));
 }
 
 void cells(const std::string& label, const std::array<std::string, 3>& values) {
@@ -104,7 +105,7 @@ void drawRadii(const GaussianSum& sum) {
   for (double share : {0.5, 0.9}) {
     std::array<std::string, 3> radii;
     for (int c = 0; c < 3; ++c) radii[size_t(c)] = millimetres(radiusOfEnergy(sum, c, share)) + " mm";
-    cells(fmt::format("{:.0f} % within", 100 * share), radii);
+    cells(trf("{:.0f} % within", 100 * share), radii);
   }
   ImGui::EndTable();
   noteWidget("profile.radii");
@@ -112,7 +113,7 @@ void drawRadii(const GaussianSum& sum) {
 
 void drawWeights(const GaussianSum& sum) {
   if (!ImGui::BeginTable("profile weights", 4, ImGuiTableFlags_SizingStretchSame)) return;
-  cells("width, mm", {"red", "green", "blue"});
+  cells(tr("width, mm"), {tr("red"), tr("green"), tr("blue")});
   for (size_t i = 0; i < sum.variances.size(); ++i) {
     const glm::dvec3& w = sum.weights[i];
     if (w == glm::dvec3(0)) continue;
@@ -141,10 +142,10 @@ void drawProfilePlot(ProfilePlot& plot, const SkinOptions& options) {
     plot.of = spread;
     plot.curves = makeProfileCurves(spread);
   }
-  ImGui::TextDisabled("Light that leaves at a distance, 1/mm");
+  ImGui::TextDisabled("%s", tr("Light that leaves at a distance, 1/mm"));
   drawCurves(plot);
   explainCurves(plot.curves);
-  ImGui::Checkbox("logarithmic", &plot.logarithmic);
+  ImGui::Checkbox(tr("logarithmic"), &plot.logarithmic);
   noteWidget("profile.logarithmic");
   if (plot.curves.fitted) drawError(plot.curves);
   drawRadii(plot.curves.sum);

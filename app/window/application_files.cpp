@@ -26,7 +26,7 @@ PictureOptions optionsOf(const PictureFormat& format) {
 void Application::saveMessages(const std::filesystem::path& path) {
   const std::string text = workspace_.toasts.log.text();
   writeBytes(path, text.data(), text.size());
-  workspace_.toasts.add(fmt::format(fmt::runtime(tr("Saved {}")), path.string()), false);
+  workspace_.toasts.add(trf("Saved {}", path.string()), false);
 }
 
 void Application::act(const ui::FileChoice& choice) {

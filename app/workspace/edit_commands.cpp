@@ -11,7 +11,7 @@ namespace {
 using W = Workspace;
 
 void resetParameters(W& w) {
-  w.confirmLoss("Setting all parameters back", [&w] {
+  w.confirmLoss(tr("Setting all parameters back"), [&w] {
     w.session.edit({});
     w.session.commitEdit();
   });

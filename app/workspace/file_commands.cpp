@@ -17,7 +17,7 @@ bool hasClassified(const W& w) { return w.session.results().classified && !w.ses
 const Command kCommands[] = {
   {"file.open", "Open...", Menu::file, control(GLFW_KEY_O),
    [](W& w) { w.files.ask(ui::FilePurpose::open, w.settings.folder, ""); }},
-  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.confirmLoss("Opening the phantom", [&w] { w.session.openPhantom(); }); }},
+  {"file.phantom", "Open phantom", Menu::file, control(GLFW_KEY_P), [](W& w) { w.confirmLoss(tr("Opening the phantom"), [&w] { w.session.openPhantom(); }); }},
   {"file.openSession", "Open session...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::openSession, w.settings.folder, ""); }, nullptr, nullptr, true},
   {"file.saveSession", "Save session", Menu::file, controlShift(GLFW_KEY_S), [](W& w) { saveSession(w); }, hasScan},
@@ -47,7 +47,7 @@ const Command kCommands[] = {
    [](W& w) { w.files.ask(ui::FilePurpose::openErased, w.settings.folder, ""); }, hasScan, nullptr, true},
   {"file.saveErased", "Save erased parts...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::saveErased, w.settings.folder, w.session.proposedName(".erased.nrrd")); }, hasErased},
-  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.confirmLoss("Quitting", [&w] { w.quit = true; }); }, nullptr, nullptr, true},
+  {"file.quit", "Quit", Menu::file, control(GLFW_KEY_Q), [](W& w) { w.confirmLoss(tr("Quitting"), [&w] { w.quit = true; }); }, nullptr, nullptr, true},
 };
 // clang-format on
 

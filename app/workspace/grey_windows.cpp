@@ -39,7 +39,7 @@ std::string windowText(const Scan& scan, const GreyWindow& window) {
   const double range = scan.originalMax - scan.originalMin;
   const double level = scan.originalMin + double(window.level) * range, width = double(window.width) * range;
   const int digits = range > 20 ? 0 : 2;
-  return fmt::format(fmt::runtime(tr("window {:.{}f}   level {:.{}f}")), width, digits, level, digits);
+  return trf("window {:.{}f}   level {:.{}f}", width, digits, level, digits);
 }
 
 }  // namespace sonoskin

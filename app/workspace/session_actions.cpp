@@ -19,10 +19,10 @@ void openSession(Workspace& w, const fs::path& path) {
 }
 
 void tellMesh(Workspace& w, const fs::path& path) {
-  const std::string sentence = fmt::format(
-      fmt::runtime(tr("{} is a surface; the window opens volumes and makes surfaces of them. A picture of it "
-                      "is made by 'sonoskin render'.")),
-      path.filename().string());
+  const std::string sentence =
+      trf("{} is a surface; the window opens volumes and makes surfaces of them. A picture of it "
+          "is made by 'sonoskin render'.",
+          path.filename().string());
   w.toasts.add(sentence, true);
 }
 

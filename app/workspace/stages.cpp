@@ -60,7 +60,7 @@ Stage regionStage(const Workspace& w) {
   }
   const double erased = double(w.session.erased().voxels()) / double(w.session.scan().volume->data.size());
   const double left = std::max(share - erased, 0.0);
-  stage.number = left >= 1 ? tr("whole volume") : fmt::format(fmt::runtime(tr("{:.1f} % left")), 100 * left);
+  stage.number = left >= 1 ? tr("whole volume") : trf("{:.1f} % left", 100 * left);
   return stage;
 }
 
@@ -72,7 +72,7 @@ Stage classifyStage(const Workspace& w) {
                 : session.classifiedIsCoarse()
                     ? (session.state() == DocumentState::working ? live : unfinished(session, there))
                     : ready;
-  if (there) stage.number = fmt::format(fmt::runtime(tr("iso-value {:.2f}")), session.results().isoValue);
+  if (there) stage.number = trf("iso-value {:.2f}", session.results().isoValue);
   stage.seconds = session.secondsOf([](std::string_view name) { return stepOfWork(name) == Step::classify; });
   return worked(std::move(stage), w);
 }
@@ -82,11 +82,10 @@ Stage surfaceStage(const Workspace& w) {
   const Session& session = w.session;
   const Results& results = session.results();
   if (results.mesh) {
-    stage.number = fmt::format(fmt::runtime(tr("{} triangles")), ui::grouped(results.mesh->triangles.size()));
+    stage.number = trf("{} triangles", ui::grouped(results.mesh->triangles.size()));
     stage.state = !session.meshIsCurrent() ? unfinished(session, true) : session.meshIsFinal() ? ready : live;
   } else {
-    if (results.points)
-      stage.number = fmt::format(fmt::runtime(tr("{} points")), ui::grouped(results.points->size()));
+    if (results.points) stage.number = trf("{} points", ui::grouped(results.points->size()));
     stage.state = unfinished(session, false);
   }
   stage.seconds = session.secondsOf([](std::string_view name) { return stepOfWork(name) == Step::surface; });

@@ -28,7 +28,7 @@ std::string valueText(const T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     return value ? tr("on") : tr("off");
   } else if constexpr (NamedEnum<T>) {
-    return enumNames(value)[std::size_t(value)];
+    return tr(enumNames(value)[std::size_t(value)]);
   } else if constexpr (std::is_same_v<T, double>) {
     return fmt::format("{:.4g}", value);
   } else if constexpr (std::is_same_v<T, int>) {
@@ -83,8 +83,7 @@ std::string partsTitle(const std::vector<Change>& changes) {
 }
 
 std::string oneTitle(const Change& c) {
-  if (c.group == "scan" && c.field.name == "time")
-    return fmt::format(fmt::runtime(tr("Time step {} → {}")), c.before, c.after);
+  if (c.group == "scan" && c.field.name == "time") return trf("Time step {} → {}", c.before, c.after);
   const std::string symbol = ui::greekSymbol(c.field.symbol);
   const std::string name = symbol.empty() ? ui::fieldLabel(c.field) : symbol;
   return fmt::format("{} {} → {}", name, c.before, c.after);
@@ -95,9 +94,9 @@ std::string severalTitle(const std::vector<Change>& changes, const Parameters& a
   if (const Preset* preset = matchingPreset(after); preset && changes.size() > 1) {
     const std::string_view first = changes.front().group;
     if (first == "classification" || first == "surface" || first == "reconstruction")
-      return fmt::format(fmt::runtime(tr("Preset {}")), preset->name);
+      return trf("Preset {}", ui::presetTitle(preset->name));
   }
-  return fmt::format(fmt::runtime(tr("{} and {} more")), oneTitle(changes.front()), changes.size() - 1);
+  return trf("{} and {} more", oneTitle(changes.front()), changes.size() - 1);
 }
 
 }  // namespace

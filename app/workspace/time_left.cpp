@@ -25,8 +25,8 @@ std::optional<double> TimeLeft::of(const Activity& activity, double now) {
 
 std::string timeLeftText(const std::optional<double>& seconds) {
   if (!seconds || *seconds < 0.5) return {};
-  if (*seconds > 90) return fmt::format(fmt::runtime(tr("{:.0f} min left")), std::ceil(*seconds / 60));
-  return fmt::format(fmt::runtime(tr("{:.0f} s left")), std::ceil(*seconds));
+  if (*seconds > 90) return trf("{:.0f} min left", std::ceil(*seconds / 60));
+  return trf("{:.0f} s left", std::ceil(*seconds));
 }
 
 }  // namespace sonoskin

@@ -159,7 +159,7 @@ TEST(FieldText, ParametersWithSymbolsHaveTheirEquations) {
   std::size_t count = 0;
   fields(
       [&](const Field& field, auto&, auto...) {
-        const std::string_view equation = equationOf("classification." + std::string(field.name));
+        const std::string equation = equationOf("classification." + std::string(field.name));
         EXPECT_EQ(equation.empty(), field.symbol.empty()) << field.name;
         if (field.symbol.size() > 0 && field.name != "farthest") {
           EXPECT_NE(equation.find(greekSymbol(field.symbol)), std::string_view::npos) << field.name;
