@@ -199,6 +199,8 @@ std::optional<std::array<glm::dvec3, 2>> boxOf(Region region, const Geometry& g)
   return std::array{g.toWorld(glm::dvec3(region.first) - 0.5), g.toWorld(glm::dvec3(region.last) + 0.5)};
 }
 
+int columnsOf(const SlicesInput& input) { return 1 + (input.classified ? 1 : 0) + (input.thinned ? 1 : 0); }
+
 // SlicesFrame: what the panels of a picture of slices share, and where they lie: in three rows, the first on top.
 struct SlicesFrame {
   static constexpr int kGap = 3;  // pixels between the panels
@@ -220,22 +222,24 @@ struct SlicesFrame {
 void drawRow(SliceView& view, const SlicesFrame& frame, int row) {
   const SlicesInput& input = frame.input;
   const SliceCamera camera{
-      .plane = kPlanes[std::size_t(row)], .cursor = frame.cursor, .planes = input.planes};
+      .plane = input.rows[std::size_t(row)], .cursor = frame.cursor, .planes = input.planes};
   const int across = camera.axes().across;
   GpuVolume raw, classified, thinned;
   raw.set(slicesAround(input.raw, across, camera.cursor));
   classified.set(slicesAround(input.classified, across, camera.cursor));
   thinned.set(slicesAround(input.thinned, across, camera.cursor));
-  int column = 0;
+  int column = input.lastAlone ? 1 - columnsOf(input) : 0;
   const auto draw = [&](const GpuVolume& volume, const GreyWindow& window, const GpuVolume* overlay) {
+    if (column++ < 0) return;
     view.draw({.frame = input.raw->geometry,
                .camera = camera,
                .volume = volume,
                .window = window,
                .overlay = overlay,
                .erased = &frame.erased,
-               .box = boxOf(input.region, input.raw->geometry)},
-              frame.target(row, column++));
+               .box = boxOf(input.region, input.raw->geometry),
+               .crossHair = !input.lastAlone},
+              frame.target(row, column - 1));
   };
   draw(raw, {}, nullptr);
   if (input.classified) draw(classified, {}, nullptr);
@@ -250,15 +254,14 @@ Image pictureOfSlices(gl::Context& context, const SlicesInput& input, glm::ivec2
   context.makeCurrent();
   const gl::Framebuffer picture({.size = size});
   picture.clear({0.10f, 0.11f, 0.12f, 1});
-  const int columns = 1 + (input.classified ? 1 : 0) + (input.thinned ? 1 : 0);
-  const glm::ivec2 panels(columns, 3);
+  const glm::ivec2 panels(input.lastAlone ? 1 : columnsOf(input), int(input.rows.size()));
   SlicesFrame frame{
       input, picture,
       input.cursor ? *input.cursor : brightMiddle(input.classified ? *input.classified : *input.raw),
       glm::max((size - SlicesFrame::kGap * (panels - 1)) / panels, glm::ivec2(1))};
   if (input.region.erased) frame.erased.set(*input.region.erased, Hasher("erased").key());
   SliceView view;
-  for (int row = 0; row < 3; ++row) drawRow(view, frame, row);
+  for (int row = 0; row < panels.y; ++row) drawRow(view, frame, row);
   return gl::readImage(picture);
 }
 

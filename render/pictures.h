@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/image.h"
 #include "core/mesh/mesh.h"
@@ -90,12 +91,16 @@ Image pictureOfVolume(gl::Context& context, std::shared_ptr<const Volume<float>>
 //   cursor      world mm, where the three planes meet; without one, the middle of what is bright
 //   region      its box and what is erased are marked where they are not the whole volume
 //   planes      how the three planes lie in the volume
+//   rows        which of them
+//   lastAlone   only the last of the columns, without the lines of the other planes
 struct SlicesInput {
   std::shared_ptr<const Volume<float>> raw, classified;
   std::shared_ptr<const Volume<std::uint8_t>> thinned;
   std::optional<glm::dvec3> cursor;
   Region region{};
   PlaneAxes planes{};
+  std::vector<Plane> rows{kPlanes.begin(), kPlanes.end()};
+  bool lastAlone = false;
 };
 
 // pictureOfSlices: three rows (axial, sagittal, coronal) and a column each for the raw volume, the classified

@@ -90,9 +90,10 @@ int parseAndRun(int argc, char** argv) {
   Console console;
   console.addThreads(program);
   const std::vector<Command> commands = {
-      addRunCommand(program, console),     addRenderCommand(program, console),
-      addPhantomCommand(program, console), addInfoCommand(program, console),
-      addCompareCommand(program, console), addRecipeCommand(program, console)};
+      addRunCommand(program, console),   addRenderCommand(program, console),
+      addSheetCommand(program, console), addPhantomCommand(program, console),
+      addInfoCommand(program, console),  addCompareCommand(program, console),
+      addRecipeCommand(program, console)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

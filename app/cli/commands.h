@@ -16,6 +16,7 @@ struct Command {
 // Each adds its command to the program. The console must outlive the command.
 Command addRunCommand(CLI::App& program, Console& console);
 Command addRenderCommand(CLI::App& program, Console& console);
+Command addSheetCommand(CLI::App& program, Console& console);
 Command addPhantomCommand(CLI::App& program, Console& console);
 Command addInfoCommand(CLI::App& program, Console& console);
 Command addCompareCommand(CLI::App& program, Console& console);

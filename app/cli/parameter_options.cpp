@@ -4,7 +4,7 @@
 
 #include <CLI/Error.hpp>
 
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 #include "app/document/session_file.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"

@@ -4,7 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/parameter_options.h"
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 #include "core/pipeline/recipe.h"
 
 namespace sonoskin {

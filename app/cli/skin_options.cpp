@@ -57,13 +57,17 @@ SkinPictureOptions SkinRenderOptions::picture() const {
   return drawn;
 }
 
-void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
+void addSkinLook(CLI::App& command, SkinRenderOptions& options) {
   addEnum(command, "--pass", options.look.pass, 0,
           fmt::format("for skin: one of the things that the picture is made of: {} [default skin]",
                       fmt::join(enumNames(SkinPass{}), ", ")));
   command.add_flag("--reference", options.reference,
                    "for skin: light is spread by integration over the surface, exact and slow");
   addQualityOption(command, options.look.quality);
+}
+
+void addSkinOptions(CLI::App& command, SkinRenderOptions& options) {
+  addSkinLook(command, options);
   command.add_flag("--own-coordinates", options.look.quality.ownCoordinates,
                    "for skin: the map that a mesh file brings, where no two of its triangles lie over each "
                    "other; else one is made");

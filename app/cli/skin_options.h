@@ -8,7 +8,7 @@
 
 namespace sonoskin {
 
-// SkinRenderOptions: --pass, --reference, --quality and --bake of `render`.
+// SkinRenderOptions: --pass, --reference and --quality of pictures of skin; --own-coordinates and --bake of `render`.
 struct SkinRenderOptions {
   SkinPictureOptions look;
   bool reference = false;
@@ -17,6 +17,8 @@ struct SkinRenderOptions {
   // picture: the look of a picture; maps for files have no reference.
   SkinPictureOptions picture() const;
 };
+// addSkinLook: the first three of them. addSkinOptions: all.
+void addSkinLook(CLI::App& command, SkinRenderOptions& options);
 void addSkinOptions(CLI::App& command, SkinRenderOptions& options);
 
 // checkSkinOptions: refuses, before any work, what does not go together, and an output that cannot be written.

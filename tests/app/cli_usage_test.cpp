@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 #include "core/base/version.h"
 #include "core/io/mesh_writer.h"
 #include "core/mesh/facts/mesh_doubts.h"

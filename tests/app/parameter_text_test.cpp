@@ -1,4 +1,4 @@
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Landmarks and every other parameter as text, one "group.field=value" per line: what is taken reads back the same.
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace sonoskin;

@@ -1,4 +1,4 @@
-#include "app/cli/parameter_text.h"
+#include "app/document/parameter_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/base/error.h"
@@ -178,6 +179,27 @@ void setParameter(Parameters& parameters, std::string_view name, std::string_vie
         fmt::format("There is no parameter --{}; \"sonoskin recipe --explain\" lists them.", shownText(name)),
         Error::Kind::usage);
   }
+}
+
+ParameterInfo findParameter(const Parameters& parameters, std::string_view word) {
+  const std::vector<ParameterInfo> all = describeParameters(parameters);
+  const auto fits = [&](const auto& test) {
+    std::vector<ParameterInfo> found;
+    std::ranges::copy_if(all, std::back_inserter(found), test);
+    return found;
+  };
+  auto found = fits([&](const ParameterInfo& p) { return p.name == word; });
+  if (found.empty())
+    found = fits([&](const ParameterInfo& p) { return p.name.ends_with("." + std::string(word)); });
+  if (found.empty()) found = fits([&](const ParameterInfo& p) { return !word.empty() && p.symbol == word; });
+  if (found.empty())
+    throw Error(
+        fmt::format("There is no parameter {}; \"sonoskin recipe --explain\" lists them.", shownText(word)),
+        Error::Kind::usage);
+  if (found.size() > 1)
+    throw Error(fmt::format("{} may be {} or {}; give the whole name.", word, found[0].name, found[1].name),
+                Error::Kind::usage);
+  return found.front();
 }
 
 }  // namespace sonoskin

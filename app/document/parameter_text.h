@@ -21,6 +21,11 @@ struct ParameterInfo {
 // describeParameters: every parameter, in the order of the pipeline, with its value.
 std::vector<ParameterInfo> describeParameters(const Parameters& parameters);
 
+// findParameter: the parameter that a word means: "classification.beta", or "beta" or "v_iso" where one alone has that name or
+// symbol.
+//   errors  Error (usage): none has it, or several
+ParameterInfo findParameter(const Parameters& parameters, std::string_view word);
+
 // setParameter: sets "group.field" from text: 12, 0.7, on, probe, 467x255x124, 1.5,-2,30.
 //   errors  Error (usage): an unknown name, text of the wrong kind, or a number out of range; the sentence names it
 void setParameter(Parameters& parameters, std::string_view name, std::string_view text);
