@@ -138,7 +138,7 @@ SheetLayout sheetLayout(const std::vector<SheetAxis>& axes, glm::ivec2 cell) {
     throw Error(fmt::format("--over names {} twice; give all its values at once.", axes[0].parameter),
                 Error::Kind::usage);
   SheetLayout layout{gridOf(axes), cell};
-  layout.text = std::clamp(cell.x / 20, 11, 40);
+  layout.text = std::clamp(cell.x / 18, 11, 40);
   if (const glm::ivec2 size = layout.size(); size.x > kLargest || size.y > kLargest)
     throw Error(
         fmt::format("The sheet would have {} x {} pixels, and {} a side are the most; give fewer values "

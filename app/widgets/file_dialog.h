@@ -28,7 +28,8 @@ enum class FilePurpose {
   saveLitSkin,
   savePicture,
   saveMessages,
-  saveTurntable
+  saveTurntable,
+  saveSheet
 };
 
 // FilePurposeText: how the dialog looks for a purpose, and which files it lists and writes.

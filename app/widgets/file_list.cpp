@@ -55,6 +55,8 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save messages", "Save", true, FileKind::text};
     case FilePurpose::saveTurntable:
       return {"Save turntable of the 3D view", "Save", true, FileKind::picture};
+    case FilePurpose::saveSheet:
+      return {"Save contact sheet", "Save", true, FileKind::picture};
   }
   return {};
 }

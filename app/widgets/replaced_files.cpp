@@ -16,6 +16,7 @@ bool hasRecipe(FilePurpose purpose) {
     case FilePurpose::saveSkin:
     case FilePurpose::saveLitSkin:
     case FilePurpose::savePicture:
+    case FilePurpose::saveSheet:
       return true;
     default:
       return false;

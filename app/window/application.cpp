@@ -88,7 +88,7 @@ double Application::secondsToNext() const {
   double seconds = std::numeric_limits<double>::infinity();
   if (workspace_.session.activity().busy) seconds = kProgressSeconds;
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, kTextCursorSeconds);
-  for (const double wanted : {viewsWant_, toastsWant_, playWants_}) {
+  for (const double wanted : {viewsWant_, toastsWant_, playWants_, sheetWants_}) {
     if (wanted >= 0) seconds = std::min(seconds, wanted);
   }
   return seconds - sinceDrawn_.seconds();
@@ -235,6 +235,7 @@ void Application::drawInterface() {
   ui::drawQuestion(workspace_);
   ui::drawPictureQuestion(workspace_);
   ui::drawColoursWindow(workspace_);
+  sheetWants_ = sheet_.draw(workspace_, [this] { return background().share(); });
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
   ui::drawLostVolume(workspace_);

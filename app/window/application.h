@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "app/panels/sheet_window.h"
 #include "app/panels/tour.h"
 #include "app/views/four_up.h"
 #include "app/window/background_context.h"
@@ -69,11 +70,12 @@ class Application {
   WidgetKeys widgetKeys_;
   ui::FourUp views_;
   ui::TourWindow tour_;
+  ui::SheetWindow sheet_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
   std::set<std::string> noted_;        // of this document: each of its time steps may say the same
   std::uint64_t reconstructions_ = 0;  // seen so far
-  double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1;  // seconds after a frame
+  double viewsWant_ = -1, toastsWant_ = -1, playWants_ = -1, sheetWants_ = -1;  // seconds after a frame
   Timer sinceDrawn_;
   bool glErrorTold_ = false, titleModified_ = false;
 };

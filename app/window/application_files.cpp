@@ -69,6 +69,8 @@ void Application::act(const ui::FileChoice& choice) {
       return saveMessages(choice.path);
     case ui::FilePurpose::saveTurntable:
       return saveTurntable(choice.path);
+    case ui::FilePurpose::saveSheet:
+      return sheet_.save(workspace_, choice.path);
   }
 }
 

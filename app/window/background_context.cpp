@@ -6,15 +6,28 @@
 #include "core/base/error.h"
 
 namespace sonoskin {
-namespace {
+// Turn: the context while it is somebody's.
+class BackgroundContext::Turn final : public gl::Context {
+ public:
+  explicit Turn(BackgroundContext& background) : background_(background) {}
+  ~Turn() override { release(); }
+  void makeCurrent() override {
+    if (held_) return;
+    background_.mutex_.lock();
+    held_ = true;
+    glfwMakeContextCurrent(background_.window_);
+  }
+  void release() override {
+    if (!held_) return;
+    glfwMakeContextCurrent(nullptr);
+    held_ = false;
+    background_.mutex_.unlock();
+  }
 
-// CurrentContext: while it lives, the context is this thread's.
-struct CurrentContext {
-  explicit CurrentContext(GLFWwindow* window) { glfwMakeContextCurrent(window); }
-  ~CurrentContext() { glfwMakeContextCurrent(nullptr); }
+ private:
+  BackgroundContext& background_;
+  bool held_ = false;
 };
-
-}  // namespace
 
 // By EGL where that is there: Mesa's software renderer draws one picture at a time for all contexts of GLX. The window's other
 // hints, which came first, hold on.
@@ -34,8 +47,11 @@ BackgroundContext::BackgroundContext() {
 BackgroundContext::~BackgroundContext() { glfwDestroyWindow(window_); }
 
 void BackgroundContext::use(const std::function<void()>& draw) {
-  const CurrentContext current(window_);
+  Turn turn(*this);
+  turn.makeCurrent();
   draw();
 }
+
+std::shared_ptr<gl::Context> BackgroundContext::share() { return std::make_shared<Turn>(*this); }
 
 }  // namespace sonoskin

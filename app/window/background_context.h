@@ -1,6 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <mutex>
+
+#include "render/gl/context.h"
 
 struct GLFWwindow;
 
@@ -17,11 +21,17 @@ class BackgroundContext {
   BackgroundContext(const BackgroundContext&) = delete;
   BackgroundContext& operator=(const BackgroundContext&) = delete;
 
-  // use: draws with the context, on the thread that calls; one at a time. All GL objects of it must be gone afterwards.
+  // use: draws with the context, on the thread that calls; one at a time, others wait. All GL objects of it must be gone
+  // afterwards.
   void use(const std::function<void()>& draw);
+  // share: for long work on one thread that draws now and then: from makeCurrent() to release() it is as within use(). It must
+  // not outlive the context.
+  std::shared_ptr<gl::Context> share();
 
  private:
+  class Turn;
   GLFWwindow* window_ = nullptr;  // never shown
+  std::mutex mutex_;              // held by whoever draws
 };
 
 }  // namespace sonoskin

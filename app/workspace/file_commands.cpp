@@ -43,6 +43,7 @@ const Command kCommands[] = {
   {"file.savePicture", "Save picture...", Menu::file, key(GLFW_KEY_F12),
    [](W& w) { w.pictureRequest = PictureRequest{false}; }, hasScan},
   {"file.saveTurntable", "Save turntable...", Menu::file, {}, [](W& w) { w.pictureRequest = PictureRequest{true}; }, hasScan},
+  {"file.contactSheet", "Contact sheet...", Menu::file, {}, [](W& w) { w.sheetShown = true; }, hasScan},
   {"file.openErased", "Open erased parts...", Menu::file, {},
    [](W& w) { w.files.ask(ui::FilePurpose::openErased, w.settings.folder, ""); }, hasScan, nullptr, true},
   {"file.saveErased", "Save erased parts...", Menu::file, {},

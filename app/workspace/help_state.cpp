@@ -16,13 +16,13 @@ void openPalette(Workspace& w) {
 
 bool hasHelpWindow(const Workspace& w) {
   const HelpState& help = w.help;
-  return help.paletteShown || w.keysShown || w.aboutShown || w.historyShown || help.tour || help.offered ||
-         w.toasts.log.shown;
+  return help.paletteShown || w.keysShown || w.aboutShown || w.historyShown || w.sheetShown || help.tour ||
+         help.offered || w.toasts.log.shown;
 }
 
 void closeHelpWindow(Workspace& w) {
   HelpState& help = w.help;
-  for (bool* shown : {&help.paletteShown, &w.keysShown, &w.aboutShown, &w.historyShown})
+  for (bool* shown : {&help.paletteShown, &w.keysShown, &w.aboutShown, &w.historyShown, &w.sheetShown})
     if (std::exchange(*shown, false)) return;
   if (help.tour || help.offered) {
     help.tour.reset();
