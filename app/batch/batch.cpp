@@ -75,6 +75,7 @@ Scan load(BatchRun& run) {
   run.report.dims = {g.dims.x, g.dims.y, g.dims.z};
   run.report.spacing = {g.spacing.x, g.spacing.y, g.spacing.z};
   run.report.spacingKnown = scan.spacingKnown;
+  run.report.measures = measuresOf(run.options.input, scan);
   if (scan.erased)
     run.report.erasedVoxels = scan.erased->data.size() -
                               std::size_t(std::count(scan.erased->data.begin(), scan.erased->data.end(), 0));
@@ -190,7 +191,7 @@ void writePoints(const std::filesystem::path& path, const SurfacePoints& points)
 
 void writeSurfaces(BatchRun& run, const Results& results, const Progress& progress) {
   for (const std::string& format : run.options.meshFormats)
-    writeMesh(run.file("mesh." + format), *results.mesh, run.options.patient, progress);
+    writeMesh(run.file("mesh." + format), *results.mesh, run.options.meshFile, progress);
 }
 
 // The surface with the maps of its skin.

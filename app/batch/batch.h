@@ -9,7 +9,7 @@
 #include "app/batch/report.h"
 #include "app/document/input.h"
 #include "core/base/progress.h"
-#include "core/io/dicom/dicom_patient.h"
+#include "core/io/mesh_writer.h"
 #include "core/pipeline/pipeline.h"
 #include "core/skin/skin_surface.h"
 #include "render/gl/context.h"
@@ -29,7 +29,7 @@ struct BatchOptions {
   std::string inputName{};
   Parameters parameters;
   std::vector<std::string> meshFormats{"ply"};  // without dots
-  DicomPatient patient{};                       // of a DICOM mesh
+  MeshFileOptions meshFile{};
   bool keepScan = false, keepClassified = false, keepThinned = false, keepPoints = false;
   std::string volumeFormat = "nrrd";  // of what is kept; without a dot
   glm::ivec2 pictureSize{1280, 960};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/batch/mesh_text.h"
+#include "app/document/measure_file.h"
 #include "core/base/version.h"
 
 namespace sonoskin {
@@ -101,6 +102,8 @@ std::string reportJson(const Report& report) {
   if (report.globalErrorWithWeights) json["global_error_with_weights"] = *report.globalErrorWithWeights;
   json["pieces"] = report.pieces;
   if (report.face.fit) json["face"] = nlohmann::ordered_json::parse(faceJson(report.face));
+  if (!report.measures.empty())
+    json["measures"] = nlohmann::ordered_json::parse(measuresJson(report.measures));
   json["parts"] = partsJson(report.parts);
   json["triangles"] = report.mesh.triangles;
   json["area_mm2"] = report.mesh.area;
@@ -131,6 +134,7 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
     text += fmt::format("the skin's edge rises from grey {:.2f} to {:.2f} within {:.1f} mm (20 to 80 %)\n",
                         report.edge.dark, report.edge.bright, report.edge.width);
   if (!report.face.text.empty()) text += report.face.text + "\n";
+  text += measuresText(report.measures);
   for (const StageReport& stage : report.stages) {
     text += fmt::format("  {:<24} {:7.2f} s  {:7.1f} MB\n", stage.name, stage.seconds,
                         double(stage.bytes) * 1e-6);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/batch/face_report.h"
+#include "app/document/measures.h"
 #include "core/mesh/facts/measured_facts.h"
 #include "core/mesh/facts/mesh_facts.h"
 #include "core/pipeline/pipeline.h"
@@ -40,6 +41,7 @@ struct Report {
   std::optional<double> globalErrorWithWeights;
   EdgeProfile edge;  // across the surface; all zero if the points were not moved onto it
   FaceReport face;
+  std::vector<Measure> measures;  // that a person has made
   std::vector<std::string>
       warnings;  // a sentence each: why the surface may not be skin, or not in mm; all that was logged
   std::vector<std::string> notes;  // a sentence each: what was chosen where a file left a choice

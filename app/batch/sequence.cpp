@@ -73,7 +73,7 @@ void take(SequenceRun& run, const StepSurface& step, const Progress& progress) {
   note(run, step);
   for (const std::string& format : run.options.meshFormats)
     writeMesh(run.file(fmt::format("mesh_{:04}.{}", step.time, format)), *step.results.mesh,
-              run.options.patient, progress.part(0, 0.2));
+              run.options.meshFile, progress.part(0, 0.2));
   if (run.recipe.empty())
     run.recipe = writeRecipe(run.options.parameters, step.scan.key, step.scan.erased.get());
   draw(run, step, progress.part(0.2, 1));

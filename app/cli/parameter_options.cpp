@@ -4,6 +4,7 @@
 
 #include <CLI/Error.hpp>
 
+#include "app/document/measure_file.h"
 #include "app/document/parameter_text.h"
 #include "app/document/session_file.h"
 #include "core/base/error.h"
@@ -33,8 +34,10 @@ void ParameterOptions::addPreset(CLI::App& command) {
 
 void ParameterOptions::addRecipe(CLI::App& command) {
   command
-      .add_option("--recipe", recipe_,
-                  "JSON file of parameters, or a session; single options go on top of it")
+      .add_option(
+          "--recipe", recipe_,
+          "JSON file of parameters, or a session, whose measures a report has, too; single options go on top "
+          "of it")
       ->type_name("FILE");
 }
 
@@ -70,14 +73,18 @@ void ParameterOptions::addOne(CLI::App& command, const std::string& shortName, c
 }
 
 Parameters ParameterOptions::resolve() const {
-  RecipeInput unused;
+  InputFiles unused;
   return resolve(unused);
 }
 
-Parameters ParameterOptions::resolve(RecipeInput& input) const {
+Parameters ParameterOptions::resolve(InputFiles& files) const {
   Parameters parameters;
   if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
-  if (!recipe_.empty()) input = readRecipe(recipeIn(readText(recipe_, kMostSessionBytes)), parameters);
+  if (!recipe_.empty()) {
+    const std::string text = readText(recipe_, kMostSessionBytes);
+    files.recipe = readRecipe(recipeIn(text), parameters);
+    files.measures = measuresIn(text);
+  }
   if (!look_.empty()) applySkinPreset(findSkinPreset(look_), parameters.skin, parameters.light);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;

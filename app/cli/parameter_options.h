@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/pipeline/recipe.h"
+#include "app/document/input.h"
 
 namespace sonoskin {
 
@@ -23,10 +23,10 @@ class ParameterOptions {
   void addOne(CLI::App& command, const std::string& shortName, const std::string& name);
 
   // resolve: the defaults, changed by the preset, changed by the recipe, changed by the look, changed by the options.
-  //   input   what the recipe says of its input, if there is one
+  //   files   their recipe and measures become what the recipe or session says of its input, if there is one
   //   errors  Error: the recipe cannot be read, or is not one
   Parameters resolve() const;
-  Parameters resolve(RecipeInput& input) const;
+  Parameters resolve(InputFiles& files) const;
 
  private:
   std::string preset_;

@@ -135,7 +135,7 @@ void render(RenderOptions& options, Console& console) {
   check(options);
   options.view.skin = options.skin.picture();
   const Parameters parameters =
-      withLandmarks(options.parameters.resolve(options.files.recipe), options.files.volume);
+      withLandmarks(options.parameters.resolve(options.files), options.files.volume);
   std::optional<TurntableFiles> around;
   if (options.turntable > 0) {
     around.emplace(options.out, options.turntable);

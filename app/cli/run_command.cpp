@@ -42,7 +42,7 @@ void refuseForSequences(const RunOptions& options) {
 
 void run(RunOptions& options, Console& console) {
   BatchOptions& batch = options.batch;
-  batch.parameters = options.parameters.resolve(batch.input.recipe);
+  batch.parameters = options.parameters.resolve(batch.input);
   const bool canBake = std::ranges::any_of(batch.meshFormats, [](const std::string& format) {
     return formatNamed(FileKind::texturedMesh, "mesh." + format).has_value();
   });
@@ -50,8 +50,8 @@ void run(RunOptions& options, Console& console) {
     throw Error(fmt::format("--bake needs a format that holds pictures; let --export name {}.",
                             fmt::join(extensionWords(FileKind::texturedMesh), " or ")),
                 Error::Kind::usage);
-  requireSound(batch.patient);
-  if (batch.patient.isGiven() && std::ranges::count(batch.meshFormats, "dcm") == 0)
+  requireSound(batch.meshFile.patient);
+  if (batch.meshFile.patient.isGiven() && std::ranges::count(batch.meshFormats, "dcm") == 0)
     throw Error("A patient is named in mesh.dcm alone; let --export name dcm.", Error::Kind::usage);
   const auto keeps = [&](const char* name) { return std::ranges::count(options.keep, name) > 0; };
   batch.inputName = console.nameOf(batch.input.volume);
@@ -76,6 +76,14 @@ std::vector<std::string> keptFormats() {
     return formatNamed(FileKind::writtenVolume, "scan." + word) == FileFormat::vtk;
   });
   return formats;
+}
+
+// What the formats that prescribe frame and unit do not heed.
+void addPlacementOptions(CLI::App& command, MeshPlacement& placement) {
+  addEnum(
+      command, "--mesh-frame", placement.frame, 0,
+      "for ply, stl, obj and vtp: lps as DICOM has it, ras with x and y the other way round [default lps]");
+  addEnum(command, "--mesh-unit", placement.unit, 0, "for ply, stl, obj and vtp [default mm]");
 }
 
 // A patient is named where the person asked for it, and nowhere else.
@@ -115,7 +123,8 @@ Command addRunCommand(CLI::App& program, Console& console) {
   addChoices(*command, "--keep", options->keep, {"scan", "classified", "thinned", "points"},
              "results on the way to write too, with commas; scan: the volume as it was read, and its mask");
   addChoice(*command, "--keep-as", batch.volumeFormat, keptFormats(), "format of the volumes that are kept");
-  addPatientOptions(*command, batch.patient);
+  addPlacementOptions(*command, batch.meshFile.placement);
+  addPatientOptions(*command, batch.meshFile.patient);
   addBakeOption(*command, batch.bake);
   addQualityOption(*command, batch.skinQuality);
   addSizeOption(*command, batch.pictureSize);

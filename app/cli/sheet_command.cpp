@@ -91,7 +91,7 @@ std::vector<SheetAxis> check(const SheetOptions& options, const Parameters& para
 void sheet(SheetOptions& options, Console& console) {
   const Timer timer;
   const Parameters parameters =
-      withLandmarks(options.parameters.resolve(options.files.recipe), options.files.volume);
+      withLandmarks(options.parameters.resolve(options.files), options.files.volume);
   SheetOrder order{{}, parameters, check(options, parameters), options.view};
   order.view.skin = options.skin.picture();
   console.beginStage(options.files.volume == kPhantomInput ? "simulation" : "reading");

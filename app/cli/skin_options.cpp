@@ -4,30 +4,11 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 
+#include "app/cli/choices.h"
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
 
 namespace sonoskin {
-namespace {
-
-// addEnum: an option for an enum by its names, of which the first `skipped` are not offered.
-template <NamedEnum E>
-void addEnum(CLI::App& command, const std::string& name, E& value, int skipped, const std::string& help) {
-  const auto all = enumNames(E{});
-  const std::vector<std::string> names(all.begin() + skipped, all.end());
-  const auto store = [name, names, skipped, &value](const std::string& text) {
-    const auto found = std::ranges::find(names, text);
-    if (found == names.end())
-      throw Error(fmt::format("{} {} is not known; give one of {}.", name, text, fmt::join(names, ", ")),
-                  Error::Kind::usage);
-    value = E(skipped + int(found - names.begin()));
-  };
-  command.add_option_function<std::string>(name, store, help)
-      ->type_name(names.size() > 4 ? "NAME" : fmt::format("{}", fmt::join(names, "|")));
-}
-
-}  // namespace
-
 void addQualityOption(CLI::App& command, SkinQuality& quality) {
   const auto store = [&quality](const std::string& name) {
     if (name != "full" && name != "light")

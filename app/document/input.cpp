@@ -42,6 +42,12 @@ std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Sc
   return {};
 }
 
+std::vector<Measure> measuresOf(const InputFiles& files, const Scan& scan) {
+  if (files.measures.empty() || files.recipe.key == scan.key.hex()) return files.measures;
+  log(LogLevel::warning, "The measures of the session are of another volume; the report has none of them.");
+  return {};
+}
+
 void fitIntoMemory(Scan& scan, const ScanOptions& options) {
   reduceScan(scan, options);
   requireMemory(scan.volume->geometry, kBytesPerVoxel - kBytesToRead, availableMemory());

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/document/measures.h"
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 #include "core/pipeline/parameters.h"
@@ -19,9 +21,11 @@ inline constexpr const char* kPhantomInput = "phantom";
 //   mask    a volume file that is not zero where something was scanned
 //   erased  a volume file that is not zero where nothing counts, such as an arm
 //   recipe  what a recipe says of the input
+//   measures  that the session of the recipe holds
 struct InputFiles {
   std::string volume, mask, erased;
   RecipeInput recipe{};
+  std::vector<Measure> measures{};
 };
 
 // loadInput: the scan that the files name, with the spacing of scan.spacing where its file gives none. What the recipe erases
@@ -32,6 +36,9 @@ Scan loadInput(const InputFiles& files, const Parameters& parameters, const Prog
 // erasedIn: what a recipe erases of a scan; nothing, and a warning, where it is of another one.
 //   errors  Error: see fromRunLengths
 std::optional<Volume<std::uint8_t>> erasedIn(const RecipeInput& recipe, const Scan& scan);
+
+// measuresOf: the measures of the session, where it is of this scan; none, and a warning, where it is of another one.
+std::vector<Measure> measuresOf(const InputFiles& files, const Scan& scan);
 
 // fitIntoMemory: leaves of a scan what the options say.
 //   errors  Error: see reduceScan; there is not enough memory to make a mesh of it

@@ -49,18 +49,18 @@ bool isWhole3mf(const fs::path& path) {
 
 }  // namespace
 
-Bytes encodeStl(const Mesh& mesh) {
+Bytes encodeStl(const Mesh& mesh, const MeshPlacement& placement) {
   Mesh flat{mesh.positions, {}, {}, mesh.triangles, {}};  // without normals, assimp makes the triangles' own
   Bytes bytes = exportScene(*assimpScene(flat), "stlb");
   // Must not begin with "solid": readers would take the file for text.
   std::fill_n(bytes.begin(), 80, std::uint8_t(' '));
-  const std::string text = meshFileHeader();
+  const std::string text = meshFileHeader(placement);
   std::copy(text.begin(), text.end(), bytes.begin());
   return bytes;
 }
 
-Bytes encodeObj(const Mesh& mesh) {
-  return obj(*assimpScene({mesh.positions, mesh.normals, {}, mesh.triangles, {}}));
+Bytes encodeObj(const Mesh& mesh, const MeshPlacement& placement) {
+  return obj(*assimpScene({mesh.positions, mesh.normals, {}, mesh.triangles, {}}), {}, placement);
 }
 
 Bytes encodeGlb(const Mesh& mesh) {

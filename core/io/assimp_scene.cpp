@@ -76,7 +76,9 @@ std::unique_ptr<aiMaterial> skin() {
 
 }  // namespace
 
-std::string meshFileHeader() { return std::string("Sonoskin ") + kVersion + ", units mm, SPACE=LPS"; }
+std::string meshFileHeader(const MeshPlacement& placement) {
+  return std::string("Sonoskin ") + kVersion + ", " + placementText(placement);
+}
 
 std::unique_ptr<aiScene> assimpScene(const Mesh& mesh, const std::vector<glm::vec2>& uv) {
   auto scene = std::make_unique<aiScene>();
@@ -101,9 +103,9 @@ Bytes exportScene(const aiScene& scene, const char* format) {
   return {first, first + blob->size};
 }
 
-Bytes obj(const aiScene& scene, const std::string& below) {
+Bytes obj(const aiScene& scene, const std::string& below, const MeshPlacement& placement) {
   Bytes bytes = exportScene(scene, "objnomtl");
-  const std::string line = "# " + meshFileHeader() + below;
+  const std::string line = "# " + meshFileHeader(placement) + below;
   const auto end = std::find(bytes.begin(), bytes.end(), std::uint8_t('\n'));
   bytes.insert(bytes.erase(bytes.begin(), end), line.begin(), line.end());
   return bytes;

@@ -16,7 +16,7 @@ struct aiScene;
 namespace sonoskin {
 
 // meshFileHeader: program, unit and frame, for the first line of a file.
-std::string meshFileHeader();
+std::string meshFileHeader(const MeshPlacement& placement = {});
 
 // assimpScene: one surface below the root, where assimp's writer of 3MF looks for it, with a plain skin-like material.
 // Without uv the visibility travels as the first texture coordinate, the only array of numbers that assimp has.
@@ -28,7 +28,7 @@ Bytes exportScene(const aiScene& scene, const char* format);
 
 // obj: with our header, and lines of one's own below it (each begins with a line break).
 //   errors  as exportScene
-Bytes obj(const aiScene& scene, const std::string& below = {});
+Bytes obj(const aiScene& scene, const std::string& below = {}, const MeshPlacement& placement = {});
 
 // glb: glTF 2.0 binary, with our name and after `edit` has changed its JSON.
 //   errors  as exportScene

@@ -12,20 +12,20 @@ namespace sonoskin {
 namespace {
 
 // The bytes of all formats but 3MF, which goes to a file.
-Bytes encoded(FileFormat format, const Mesh& mesh, const DicomPatient& patient) {
+Bytes encoded(FileFormat format, const Mesh& mesh, const MeshFileOptions& options) {
   switch (format) {
     case FileFormat::stl:
-      return encodeStl(mesh);
+      return encodeStl(mesh, options.placement);
     case FileFormat::obj:
-      return encodeObj(mesh);
+      return encodeObj(mesh, options.placement);
     case FileFormat::glb:
       return encodeGlb(mesh);
     case FileFormat::vtp:
-      return encodeVtp(mesh);
+      return encodeVtp(mesh, options.placement);
     case FileFormat::dicomStl:
-      return encodeDicomStl(mesh, patient);
+      return encodeDicomStl(mesh, options.patient);
     default:
-      return encodePly(mesh);
+      return encodePly(mesh, options.placement);
   }
 }
 
@@ -52,10 +52,10 @@ void checkWritable(const Mesh& mesh) {
 }  // namespace
 
 void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const Progress& progress) {
-  writeMesh(path, mesh, {}, progress);
+  writeMesh(path, mesh, MeshFileOptions(), progress);
 }
 
-void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const DicomPatient& patient,
+void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const MeshFileOptions& options,
                const Progress& progress) {
   const FileFormat format = requireFormat(FileKind::writtenMesh, path);
   checkWritable(mesh);
@@ -63,7 +63,8 @@ void writeMesh(const std::filesystem::path& path, const Mesh& mesh, const DicomP
   if (format == FileFormat::threeMf) {
     writeAtomically(path, [&](const std::filesystem::path& temporary) { write3mf(temporary, mesh); });
   } else {
-    const Bytes bytes = encoded(format, mesh, patient);
+    const bool moves = leavesPlacementOpen(format) && options.placement != MeshPlacement();
+    const Bytes bytes = encoded(format, moves ? placedMesh(mesh, options.placement) : mesh, options);
     progress.update(0.5);
     writeBytes(path, bytes.data(), bytes.size());
   }

@@ -9,12 +9,12 @@
 namespace sonoskin {
 namespace {
 
-std::string header(const Mesh& mesh) {
+std::string header(const Mesh& mesh, const MeshPlacement& placement) {
   std::string text = fmt::format(
       "ply\nformat binary_little_endian 1.0\n"
-      "comment Sonoskin {}, units mm, SPACE=LPS\n"
+      "comment Sonoskin {}, {}\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
-      kVersion, mesh.positions.size());
+      kVersion, placementText(placement), mesh.positions.size());
   if (!mesh.normals.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!mesh.visibility.empty()) text += "property float visibility\n";
   if (!mesh.measured.empty()) text += "property float measured\n";
@@ -26,10 +26,10 @@ std::string header(const Mesh& mesh) {
 
 }  // namespace
 
-Bytes encodePly(const Mesh& mesh) {
+Bytes encodePly(const Mesh& mesh, const MeshPlacement& placement) {
   const bool normals = !mesh.normals.empty(), visibility = !mesh.visibility.empty(),
              measured = !mesh.measured.empty(), labels = !mesh.labels.empty();
-  const std::string head = header(mesh);
+  const std::string head = header(mesh, placement);
   const std::size_t vertexBytes =
       sizeof(float) * (3 + (normals ? 3 : 0) + (visibility ? 1 : 0) + (measured ? 1 : 0)) + labels;
   ByteSink out(head.size() + vertexBytes * mesh.positions.size() + 13 * mesh.triangles.size());

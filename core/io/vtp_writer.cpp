@@ -77,18 +77,19 @@ std::string polygons(const Mesh& mesh, Arrays& arrays) {
 
 }  // namespace
 
-Bytes encodeVtp(const Mesh& mesh) {
+Bytes encodeVtp(const Mesh& mesh, const MeshPlacement& placement) {
   Arrays arrays;
   std::string text = fmt::format(
-      "<?xml version=\"1.0\"?>\n<!-- Sonoskin {}, units mm, SPACE=LPS -->\n"
+      "<?xml version=\"1.0\"?>\n<!-- Sonoskin {}, {} -->\n"
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
       "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n"
-      "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">76 80 83 "
+      "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">{} "
       "0</Array>\n"
       "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
       "NumberOfStrips=\"0\" "
       "NumberOfPolys=\"{}\">\n",
-      kVersion, mesh.positions.size(), mesh.triangles.size());
+      kVersion, placementText(placement), placement.frame == MeshFrame::ras ? "82 65 83" : "76 80 83",
+      mesh.positions.size(), mesh.triangles.size());
   text += pointData(mesh, arrays) + "<CellData>\n</CellData>\n<Points>\n" +
           described(arrays, "type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", mesh.positions) +
           "</Points>\n" + polygons(mesh, arrays) +

@@ -24,7 +24,7 @@ struct DicomStl : testing::Test {
   DcmFileFormat file;
 
   DcmDataset& written(const DicomPatient& patient = {}) {
-    writeMesh(folder / "a.dcm", mesh, patient);
+    writeMesh(folder / "a.dcm", mesh, MeshFileOptions{patient});
     EXPECT_TRUE(file.loadFile((folder / "a.dcm").c_str()).good());
     file.loadAllDataIntoMemory();
     return *file.getDataset();
@@ -109,7 +109,8 @@ TEST_F(DicomStl, RefusesAPatientThatDicomDoesNotAllow) {
        {DicomPatient{std::string(65, 'a'), "", "", ""}, DicomPatient{"a\\b", "", "", ""},
         DicomPatient{"", "a\nb", "", ""}, DicomPatient{"", "", "31.01.1990", ""},
         DicomPatient{"", "", "19901301", ""}, DicomPatient{"", "", "", "X"}})
-    expectError([&] { writeMesh(folder / "b.dcm", mesh, patient); }, "A patient's", Error::Kind::usage);
+    expectError([&] { writeMesh(folder / "b.dcm", mesh, MeshFileOptions{patient}); }, "A patient's",
+                Error::Kind::usage);
   EXPECT_FALSE(std::filesystem::exists(folder / "b.dcm"));
 }
 

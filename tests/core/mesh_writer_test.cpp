@@ -54,6 +54,29 @@ TEST(WriteMesh, SaysUnitAndFrameInTheHeader) {
   EXPECT_EQ(std::filesystem::file_size(folder / "a.stl"), 84u + 50 * 20);
 }
 
+// Who asks for another frame and unit gets them where the format leaves them open, and the header says so.
+TEST(WriteMesh, InRasAndMetresWhereTheFormatLeavesThemOpen) {
+  const TempFolder folder;
+  const Mesh mesh = icosphere(1, 30, {10, -20, 40});
+  const MeshFileOptions other{{}, {MeshFrame::ras, MeshUnit::metres}};
+  for (const char* name : {"a.ply", "a.stl", "a.obj", "a.vtp", "a.glb", "a.3mf"}) {
+    writeMesh(folder / name, mesh, other);
+    Mesh read = readMesh(folder / name);
+    const bool open = leavesPlacementOpen(*formatNamed(FileKind::writtenMesh, name));
+    if (open) EXPECT_NE(fileText(folder / name).find("units m, SPACE=RAS"), std::string::npos) << name;
+    if (open) scaleMesh(read, 1000);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)  // RAS is read back as LPS
+      ASSERT_LT(glm::distance(mesh.positions[mesh.triangles[t][0]], read.positions[read.triangles[t][0]]),
+                1e-3f)
+          << name;
+  }
+  writeMesh(folder / "b.ply", mesh, MeshFileOptions{{}, {MeshFrame::ras, MeshUnit::millimetres}});
+  const std::string text = fileText(folder / "b.ply");
+  float x = 0;
+  std::memcpy(&x, text.data() + text.find("end_header\n") + 11, sizeof x);
+  EXPECT_EQ(x, -mesh.positions[0].x);
+}
+
 TEST(WriteMesh, PlyKeepsVisibilityAndWhatWasMeasured) {
   const TempFolder folder;
   Mesh mesh = icosphere(1, 1, {});

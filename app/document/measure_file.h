@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document/measures.h"
+
+namespace sonoskin {
+
+// measuresIn: the measures that the text of a session holds, those that are complete; of any other text none.
+std::vector<Measure> measuresIn(const std::string& text);
+
+// measuresJson: for reports: [{"kind": "distance", "value": 12.3, "unit": "mm", "marks_mm": [[x, y, z], ...]}, ...]; the marks
+// in the scan's frame, LPS, to a thousandth of a millimetre; units are mm, degrees and mm2.
+std::string measuresJson(const std::vector<Measure>& measures);
+
+// measuresText: the same for people, a line each.
+std::string measuresText(const std::vector<Measure>& measures);
+
+}  // namespace sonoskin
