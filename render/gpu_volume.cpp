@@ -15,6 +15,10 @@ constexpr int kSlices = 8;  // that are copied at once: they need little memory 
 
 float toUnit(float value) { return std::clamp(value, 0.0f, 1.0f); }
 
+// What a stored number means, 0 to 1.
+float meant(float value) { return value; }
+float meant(std::uint8_t value) { return float(value) / 255; }
+
 std::uint8_t toByte(float value) { return std::uint8_t(255 * toUnit(value) + 0.5f); }
 
 // Whether every value is a multiple of 1/255, as in a volume that was recorded with 8 bits.
@@ -45,37 +49,40 @@ void uploadSlices(gl::Texture& texture, const Volume<From>& volume, int first, i
 }
 
 // One row of the shade texture: central differences, one-sided at the border.
-void shadeRow(const Volume<float>& volume, int j, int k, glm::u8vec4* row) {
+template <class T>
+void shadeRow(const Volume<T>& volume, int j, int k, glm::u8vec4* row) {
   const auto dims = volume.geometry.dims;
   const glm::vec3 scale =
       2.0f * volume.geometry.axisScale();  // times 4, and central differences span two voxels
   const int j0 = std::max(j - 1, 0), j1 = std::min(j + 1, dims.y - 1);
   const int k0 = std::max(k - 1, 0), k1 = std::min(k + 1, dims.z - 1);
-  const float *here = &volume.at(0, j, k), *below = &volume.at(0, j0, k), *above = &volume.at(0, j1, k),
-              *before = &volume.at(0, j, k0), *behind = &volume.at(0, j, k1);
+  const T *here = &volume.at(0, j, k), *below = &volume.at(0, j0, k), *above = &volume.at(0, j1, k),
+          *before = &volume.at(0, j, k0), *behind = &volume.at(0, j, k1);
+  const auto between = [](T from, T to) { return meant(to) - meant(from); };
   for (int i = 0; i < dims.x; ++i) {
     const int i0 = std::max(i - 1, 0), i1 = std::min(i + 1, dims.x - 1);
-    const glm::vec3 g = scale * glm::vec3(here[i1] - here[i0], above[i] - below[i], behind[i] - before[i]);
+    const glm::vec3 g = scale * glm::vec3(between(here[i0], here[i1]), between(below[i], above[i]),
+                                          between(before[i], behind[i]));
     const glm::vec3 c = 127.5f * glm::clamp(g, -1.0f, 1.0f) + 128.0f;  // + 0.5 to round
-    row[i] = glm::u8vec4(std::uint8_t(c.x), std::uint8_t(c.y), std::uint8_t(c.z), toByte(here[i]));
+    row[i] = glm::u8vec4(std::uint8_t(c.x), std::uint8_t(c.y), std::uint8_t(c.z), toByte(meant(here[i])));
   }
 }
 
 // The maximum of a brick's voxels, one voxel of overlap at its far sides included.
-float brickMaximum(const Volume<float>& volume, const glm::ivec3& first, int side) {
+template <class T>
+float brickMaximum(const Volume<T>& volume, const glm::ivec3& first, int side) {
   const glm::ivec3 last = glm::min(first + side, volume.geometry.dims - 1);
-  float most = 0;
+  T most = 0;
   for (int k = first.z; k <= last.z; ++k)
     for (int j = first.y; j <= last.y; ++j) {
-      const float* row = &volume.at(0, j, k);
+      const T* row = &volume.at(0, j, k);
       for (int i = first.x; i <= last.x; ++i) most = std::max(most, row[i]);
     }
-  return most;
+  return meant(most);
 }
 
-}  // namespace
-
-std::vector<float> brickMaxima(const Volume<float>& volume, int side) {
+template <class T>
+std::vector<float> maximaOf(const Volume<T>& volume, int side) {
   const glm::ivec3 bricks = (volume.geometry.dims + side - 1) / side;
   std::vector<float> maxima(std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z));
   parallelFor(bricks.y * bricks.z, [&](std::ptrdiff_t row) {
@@ -85,6 +92,28 @@ std::vector<float> brickMaxima(const Volume<float>& volume, int side) {
   });
   return maxima;
 }
+
+// Some slices of the shade texture after the other.
+template <class T>
+gl::Texture shadesOf(const Volume<T>& volume) {
+  const Geometry& g = volume.geometry;
+  const auto dims = g.dims;
+  gl::Texture made({.size = dims, .format = gl::Format::rgba8});
+  std::vector<glm::u8vec4> texels(g.index(0, 0, 1) * std::size_t(std::min(kSlices, dims.z)));
+  for (int first = 0; first < dims.z; first += kSlices) {
+    const int count = std::min(kSlices, dims.z - first);
+    parallelFor(std::ptrdiff_t(count) * dims.y, [&](std::ptrdiff_t row) {
+      const int j = int(row) % dims.y, k = int(row) / dims.y;
+      shadeRow(volume, j, first + k, &texels[g.index(0, j, k)]);
+    });
+    made.uploadSlices(first, count, texels.data());
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<float> brickMaxima(const Volume<float>& volume, int side) { return maximaOf(volume, side); }
 
 // Empty first: two would need twice the memory.
 void GpuVolume::begin(const Geometry& geometry) {
@@ -134,14 +163,14 @@ bool GpuVolume::prepare(double seconds, bool withBricks) {
     uploadSome();
     if (timer.seconds() > seconds) break;
   }
-  const bool wanted = withBricks && !bricks_ && floats_;
+  const bool wanted = withBricks && !bricks_;
   if (wanted && !valuesFirst) bricks();  // at once, in a call of their own
   return uploaded_ == geometry_.dims.z && (!wanted || !valuesFirst);
 }
 
 const gl::Texture& GpuVolume::bricks() {
-  if (bricks_ || !floats_) return bricks_;
-  maxima_ = brickMaxima(*floats_, kBrick);
+  if (bricks_ || empty()) return bricks_;
+  maxima_ = floats_ ? maximaOf(*floats_, kBrick) : maximaOf(*bytes_, kBrick);
   gl::Texture made({.size = (geometry_.dims + kBrick - 1) / kBrick,
                     .format = gl::Format::r32f,
                     .filter = gl::Filter::nearest});
@@ -167,20 +196,8 @@ Box GpuVolume::contentBox(float threshold) {
 }
 
 const gl::Texture& GpuVolume::shades() {
-  if (shades_ || !floats_) return shades_;
-  const auto dims = geometry_.dims;
-  const std::size_t slice = geometry_.index(0, 0, 1);
-  gl::Texture made({.size = dims, .format = gl::Format::rgba8});
-  std::vector<glm::u8vec4> texels(slice * std::size_t(std::min(kSlices, dims.z)));
-  for (int first = 0; first < dims.z; first += kSlices) {
-    const int count = std::min(kSlices, dims.z - first);
-    parallelFor(std::ptrdiff_t(count) * dims.y, [&](std::ptrdiff_t row) {
-      const int j = int(row) % dims.y, k = int(row) / dims.y;
-      shadeRow(*floats_, j, first + k, &texels[geometry_.index(0, j, k)]);
-    });
-    made.uploadSlices(first, count, texels.data());
-  }
-  return shades_ = std::move(made);
+  if (shades_ || empty()) return shades_;
+  return shades_ = floats_ ? shadesOf(*floats_) : shadesOf(*bytes_);
 }
 
 }  // namespace sonoskin

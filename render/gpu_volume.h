@@ -24,7 +24,9 @@ class GpuVolume {
   // number: of the volume that was set, in the order of all that ever were; names of textures and addresses come back.
   std::uint64_t number() const { return number_; }
   const Geometry& geometry() const { return geometry_; }
-  const std::shared_ptr<const Volume<float>>& floats() const { return floats_; }  // null for a byte volume
+  // The volume that was set: one of them is null.
+  const std::shared_ptr<const Volume<float>>& floats() const { return floats_; }
+  const std::shared_ptr<const Volume<std::uint8_t>>& bytes() const { return bytes_; }
 
   // The textures.
   //   errors  Error (system): the driver cannot hold it

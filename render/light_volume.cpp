@@ -26,16 +26,19 @@ std::array<float, 256> extinctionTable(const TransferFunction& transfer, double 
   return table;
 }
 
+std::size_t byteOf(float value) { return std::size_t(255 * std::clamp(value, 0.0f, 1.0f)); }
+std::size_t byteOf(std::uint8_t value) { return value; }
+
 // The mean extinction of the voxels of one cell, 1/mm.
-float cellExtinction(const Volume<float>& volume, const std::array<float, 256>& table,
-                     const glm::ivec3& first, int coarse) {
+template <class T>
+float cellExtinction(const Volume<T>& volume, const std::array<float, 256>& table, const glm::ivec3& first,
+                     int coarse) {
   const glm::ivec3 end = glm::min(first + coarse, volume.geometry.dims);
   float sum = 0;
   int count = 0;
   for (int k = first.z; k < end.z; ++k)
     for (int j = first.y; j < end.y; ++j)
-      for (int i = first.x; i < end.x; ++i, ++count)
-        sum += table[std::size_t(255 * std::clamp(volume.at(i, j, k), 0.0f, 1.0f))];
+      for (int i = first.x; i < end.x; ++i, ++count) sum += table[byteOf(volume.at(i, j, k))];
   return count ? sum / float(count) : 0;
 }
 
@@ -82,6 +85,23 @@ Volume<float> opticalDepth(const Volume<float>& extinction, const glm::vec3& toL
   return depth;
 }
 
+template <class T>
+Volume<float> extinctionOf(const Volume<T>& volume, const TransferFunction& transfer, int coarse,
+                           const ShownPart& part) {
+  Volume<float> extinction(coarseGeometry(volume.geometry, coarse));
+  const Geometry& g = extinction.geometry;
+  const auto table = extinctionTable(transfer, worldDiagonal(volume.geometry));
+  parallelFor(g.dims.z, [&](std::ptrdiff_t k) {
+    for (int j = 0; j < g.dims.y; ++j)
+      for (int i = 0; i < g.dims.x; ++i) {
+        const glm::ivec3 cell(i, j, k);
+        if (part.holds(glm::vec3(coarse * cell) + 0.5f * float(coarse - 1), volume.geometry))
+          extinction.at(i, j, int(k)) = cellExtinction(volume, table, coarse * cell, coarse);
+      }
+  });
+  return extinction;
+}
+
 }  // namespace
 
 float extinctionPerMm(float opacity, double diagonal) {
@@ -100,18 +120,12 @@ double worldDiagonal(const Geometry& geometry) {
 
 Volume<float> extinctionVolume(const Volume<float>& volume, const TransferFunction& transfer, int coarse,
                                const ShownPart& part) {
-  Volume<float> extinction(coarseGeometry(volume.geometry, coarse));
-  const Geometry& g = extinction.geometry;
-  const auto table = extinctionTable(transfer, worldDiagonal(volume.geometry));
-  parallelFor(g.dims.z, [&](std::ptrdiff_t k) {
-    for (int j = 0; j < g.dims.y; ++j)
-      for (int i = 0; i < g.dims.x; ++i) {
-        const glm::ivec3 cell(i, j, k);
-        if (part.holds(glm::vec3(coarse * cell) + 0.5f * float(coarse - 1), volume.geometry))
-          extinction.at(i, j, int(k)) = cellExtinction(volume, table, coarse * cell, coarse);
-      }
-  });
-  return extinction;
+  return extinctionOf(volume, transfer, coarse, part);
+}
+
+Volume<float> extinctionVolume(const Volume<std::uint8_t>& volume, const TransferFunction& transfer,
+                               int coarse, const ShownPart& part) {
+  return extinctionOf(volume, transfer, coarse, part);
 }
 
 Volume<float> lightVolume(const Volume<float>& extinction, const glm::vec3& toLight) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/volume/volume.h"
 #include "render/clip_plane.h"
 #include "render/transfer_function.h"
@@ -22,6 +24,8 @@ struct ShownPart {
 //   cost      all voxels once; 467x255x124: about 20 ms of one core
 Volume<float> extinctionVolume(const Volume<float>& volume, const TransferFunction& transfer, int coarse,
                                const ShownPart& part = {});
+Volume<float> extinctionVolume(const Volume<std::uint8_t>& volume, const TransferFunction& transfer,
+                               int coarse, const ShownPart& part = {});
 
 // lightVolume: how much of a far light reaches each cell.
 //   toLight   unit, world, toward the light

@@ -165,9 +165,9 @@ void Raycaster::drawSurface(const RaycastInput& input, const gl::Target& target)
                    .pixels = size,
                    .samplesPerSide = samples,
                    .shadowSize = input.shadowSize});
-    if (input.volume.floats()) castShadow(input);
+    if (!input.volume.empty()) castShadow(input);
   }
-  if (input.volume.floats()) castSurface(input);
+  if (!input.volume.empty()) castSurface(input);
   if (input.rows.y < 1) return;
   if (coarse) small_.fit(size);
   shading_.draw({.buffer = buffer_, .look = MeshLook::amber, .size = 0.7f * box.diagonal()},
@@ -202,8 +202,8 @@ void Raycaster::drawTranslucent(const RaycastInput& input, const gl::Target& tar
     translucent_.clear({});
   }
   const float aspect = float(target.size.x) / float(target.size.y);
-  if (input.volume.floats() && input.look == VolumeLook::translucent) castTranslucent(input, aspect);
-  if (input.volume.floats() && input.look == VolumeLook::maximum) castMaximum(input, aspect);
+  if (!input.volume.empty() && input.look == VolumeLook::translucent) castTranslucent(input, aspect);
+  if (!input.volume.empty() && input.look == VolumeLook::maximum) castMaximum(input, aspect);
   if (input.rows.y >= 1) finish(input, target);
 }
 
@@ -283,7 +283,10 @@ void Raycaster::updateTransfer(const RaycastInput& input) {
 void Raycaster::updateLight(const RaycastInput& input) {
   const Key extinction = extinctionKeyOf(input);
   if (extinction != extinctionKey_) {
-    extinction_ = extinctionVolume(*input.volume.floats(), input.transfer, kLightCell, input.part);
+    const auto cells = [&](const auto& volume) {
+      return extinctionVolume(*volume, input.transfer, kLightCell, input.part);
+    };
+    extinction_ = input.volume.floats() ? cells(input.volume.floats()) : cells(input.volume.bytes());
     extinctionKey_ = extinction;
   }
   Hasher hasher("light");

@@ -31,7 +31,7 @@ struct SurfaceBehind {
 };
 
 // RaycastInput: what Raycaster draws.
-//   volume             of floats; nothing is drawn where it is empty
+//   volume             nothing is drawn where it is empty
 //   iso                0 to 1; bright is inside (surface)
 //   transfer           (translucent)
 //   shadows            whether what the key light has passed takes from it (translucent)

@@ -155,6 +155,7 @@ void drawMeshMore(Workspace& workspace) {
 }
 
 void drawSpaceMore(Workspace& workspace, bool wide) {
+  drawComparedRows(workspace);
   if (!wide) chooseStyle(workspace.view);
   if (workspace.view.content == SpaceContent::volume)
     drawVolumeRows(workspace);

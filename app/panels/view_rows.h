@@ -10,6 +10,9 @@ namespace sonoskin::ui {
 void drawVolumeRows(Workspace& workspace);
 void drawClipRows(Workspace& workspace);
 
+// drawComparedRows: how the ray-casts beside it are shown, where they are compared.
+void drawComparedRows(Workspace& workspace);
+
 // drawColoursRow: which transfer function a translucent volume has; between beginFields() and endFields().
 void drawColoursRow(Workspace& workspace);
 

@@ -1,7 +1,10 @@
 #include "app/views/four_up.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
+#include "app/views/cast_window.h"
 #include "app/views/layouts.h"
 #include "app/views/use_tool.h"
 #include "app/workspace/shown_layers.h"
@@ -18,6 +21,7 @@ const char* nameOf(const Cell& cell) {
 
 double drawContent(FourUp& views, Workspace& workspace, const Cell& cell, const PaneInput& pane) {
   if (cell.pane == Pane::space) return drawSpaceWindow(views.space, views.scans, workspace, pane);
+  if (cell.cast) return drawCast((*views.casts)[std::size_t(*cell.layer)], views.scans, workspace, pane);
   const ShownSlice shown{cell.plane, cell.layer.value_or(workspace.view.layer), cell.layer.has_value()};
   SliceWindow& window =
       cell.layer ? views.compared[std::size_t(*cell.layer)] : views.slices[std::size_t(cell.plane)];
@@ -25,10 +29,15 @@ double drawContent(FourUp& views, Workspace& workspace, const Cell& cell, const 
   return -1;
 }
 
+// Whether two quick clicks are the tool's; ray-casts that are compared have none.
+bool takesDoubleClicks(const Workspace& workspace, const Cell& cell) {
+  if (cell.cast) return false;
+  return takesDoubleClicks(workspace, cell.pane == Pane::space ? PaneKind::space : PaneKind::slice);
+}
+
 double drawCell(FourUp& views, Workspace& workspace, const Cell& cell) {
-  const PaneKind kind = cell.pane == Pane::space ? PaneKind::space : PaneKind::slice;
   PaneInput pane = beginPane(nameOf(cell), cell.corner, cell.size);
-  const bool alone = pane.doubleClicked && !takesDoubleClicks(workspace, kind);
+  const bool alone = pane.doubleClicked && !takesDoubleClicks(workspace, cell);
   pane = views.clicks.filter(pane, alone, workspace.view.cursor);
   const double next = drawContent(views, workspace, cell, pane);
   endPane();
@@ -60,7 +69,7 @@ constexpr double kCopySeconds = 0.012;  // a frame
 void copyVolumes(GpuScans& scans, const Workspace& w) {
   const ViewState& view = w.view;
   const Results& results = w.session.results();
-  const bool inSpace = !showsMesh(w);
+  const bool inSpace = !showsMesh(w), casts = w.settings.layout.layout == Layout::casts;
   const auto copy = [&](GpuVolume& to, const auto& volume, bool space, SliceLayer layer) {
     if (!volume || !(space || isInSlices(w, layer))) return;
     to.set(volume);
@@ -69,39 +78,87 @@ void copyVolumes(GpuScans& scans, const Workspace& w) {
   };
   scans.ready = true;
   const bool isRaw = view.volumeLayer == VolumeLayer::raw || !results.classified;
-  copy(scans.raw, w.session.scan().volume, inSpace && isRaw, SliceLayer::raw);
-  copy(scans.classified, results.classified, inSpace && !isRaw, SliceLayer::classified);
-  copy(scans.thinned, results.thinned, false, SliceLayer::thinned);
+  copy(scans.raw, w.session.scan().volume, casts || (inSpace && isRaw), SliceLayer::raw);
+  copy(scans.classified, results.classified, casts || (inSpace && !isRaw), SliceLayer::classified);
+  copy(scans.thinned, results.thinned, casts, SliceLayer::thinned);
+}
+
+// The ray-casts that are compared, and what volumes need for them alone, are there as long as they are shown.
+void makeCasts(FourUp& views, const Workspace& w) {
+  const bool shown = w.settings.layout.layout == Layout::casts;
+  if (shown == (views.casts != nullptr)) return;
+  if (shown) {
+    views.casts = std::make_unique<std::array<SpaceWindow, 3>>();
+    for (std::size_t n = 0; n < 3; ++n) (*views.casts)[n].compared = SliceLayer(n);
+  } else {
+    views.casts.reset();
+    views.scans.raw = {};
+    views.scans.classified = {};
+    views.scans.thinned = {};
+  }
+}
+
+// The cells that are shown: one, where it is seen alone.
+Cells shownCells(const Workspace& w, ImVec2 corner, ImVec2 area) {
+  const Cells cells = cellsOf(w.settings.layout, corner, area);
+  if (!w.view.maximised) return cells;
+  Cell cell = *std::ranges::find(cells, *w.view.maximised, &Cell::pane);
+  cell.corner = corner;
+  cell.size = area;
+  return {cell};
+}
+
+// The views of some cells that show 3D.
+std::vector<SpaceWindow*> spaceWindows(FourUp& views, const Cells& cells) {
+  std::vector<SpaceWindow*> windows;
+  for (const Cell& cell : cells)
+    if (cell.cast)
+      windows.push_back(&(*views.casts)[std::size_t(*cell.layer)]);
+    else if (cell.pane == Pane::space)
+      windows.push_back(&views.space);
+  return windows;
+}
+
+// This frame's time among them.
+void shareTime(std::span<SpaceWindow* const> windows, MovingBudget& budget, double frameSeconds) {
+  std::vector<SharingView> sharing;
+  for (SpaceWindow* window : windows)
+    sharing.push_back({std::exchange(window->pictureSeconds, 0), window->steered,
+                       window->picture && window->state.unfinished});
+  std::vector<FrameShare> shares(windows.size());
+  shareFrame(sharing, frameSeconds, budget, shares);
+  for (std::size_t n = 0; n < windows.size(); ++n) windows[n]->share = shares[n];
+}
+
+// Whether what moved them has come to rest in this frame, which they learn in the next.
+bool haveStopped(std::span<SpaceWindow* const> windows) {
+  return std::ranges::any_of(windows, [](const SpaceWindow* window) { return window->share.moves; }) &&
+         std::ranges::none_of(windows, &SpaceWindow::steered);
 }
 
 // When the next frame is wanted: at once while something is on its way.
 double soonest(double next, const GpuScans& scans) { return scans.ready ? next : 0; }
 
+// The sooner of two times; a negative one is none.
+double sooner(double a, double b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
+
 }  // namespace
 
 double drawFourUp(FourUp& views, Workspace& workspace) {
   letGoOfClosed(views, workspace.session.results());
+  makeCasts(views, workspace);
   copyVolumes(views.scans, workspace);
   if (workspace.session.hasScan())
     workspace.view.planes = planeAxes(workspace.session.scan().volume->geometry, workspace.viewFrame());
   views.shown.clear();
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
-  LayoutState& layout = workspace.settings.layout;
-  const Cells cells = cellsOf(layout, corner, area);
-  // A copy: a double click changes it, and that counts from the next frame.
-  if (const auto maximised = workspace.view.maximised) {
-    Cell cell = *std::ranges::find(cells, *maximised, &Cell::pane);
-    cell.corner = corner;
-    cell.size = area;
-    return soonest(drawCell(views, workspace, cell), views.scans);
-  }
+  const Cells cells = shownCells(workspace, corner, area);
+  const std::vector<SpaceWindow*> windows = spaceWindows(views, cells);
+  shareTime(windows, views.budget, workspace.view.frameSeconds);
   double next = -1;
-  for (const Cell& cell : cells) {
-    const double wanted = drawCell(views, workspace, cell);
-    if (cell.pane == Pane::space) next = wanted;
-  }
-  drawDividers(layout, corner, area);
-  return soonest(next, views.scans);
+  for (const Cell& cell : cells) next = sooner(next, drawCell(views, workspace, cell));
+  if (cells.size() > 1) drawDividers(workspace.settings.layout, corner, area);
+  return haveStopped(windows) ? 0 : soonest(next, views.scans);
 }
 
 }  // namespace sonoskin::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct FourUp {
   std::array<SliceWindow, 3> slices;    // by Plane
   std::array<SliceWindow, 3> compared;  // by SliceLayer
   SpaceWindow space;
+  std::unique_ptr<std::array<SpaceWindow, 3>> casts;  // by SliceLayer, while they are compared
+  MovingBudget budget;                                // of all that show 3D
   DoubleClick clicks;
   std::vector<ShownPane> shown;  // in the last frame
 };

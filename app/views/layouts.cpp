@@ -1,6 +1,7 @@
 #include "app/views/layouts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -67,15 +68,17 @@ Cells cellsOf(const LayoutState& layout, ImVec2 corner, ImVec2 area) {
       height{cross.y - corner.y, corner.y + area.y - y[1]};
   constexpr std::array<Pane, 4> kCompared{Pane::axial, Pane::sagittal, Pane::coronal, Pane::space};
   constexpr std::array<SliceLayer, 3> kLayers{SliceLayer::raw, SliceLayer::classified, SliceLayer::thinned};
-  const bool compares = layout.layout == Layout::compare;
-  Cells cells;
+  const bool compares = layout.layout != Layout::fourUp;
+  Cells cells(4);
   for (std::size_t n = 0; n < 4; ++n) {
     Cell& cell = cells[n];
     cell.pane = compares ? kCompared[n] : kPanes[n];
     cell.corner = {x[n % 2], y[n / 2]};
     cell.size = {width[n % 2], height[n / 2]};
     cell.plane = compares ? layout.compared : planeOf(cell.pane);
-    if (compares && cell.pane != Pane::space) cell.layer = kLayers[n];
+    if (!compares || cell.pane == Pane::space) continue;
+    cell.layer = kLayers[n];
+    cell.cast = layout.layout == Layout::casts;
   }
   return cells;
 }

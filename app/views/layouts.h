@@ -2,7 +2,8 @@
 
 #include <imgui.h>
 
-#include <array>
+#include <optional>
+#include <vector>
 
 #include "app/workspace/layout_state.h"
 #include "app/workspace/view_state.h"
@@ -10,14 +11,16 @@
 namespace sonoskin::ui {
 
 // Cell: a view of a layout, and where it lies on the screen.
-//   layer  of a slice in the layout `compare`; none: as the view state has it
+//   layer  of what is compared; none: as the view state has it
+//   cast   a ray-cast that is compared, in the place of a slice
 struct Cell {
   Pane pane = Pane::axial;
-  ImVec2 corner, size;
+  ImVec2 corner{}, size{};
   Plane plane = Plane::axial;  // of a slice
   std::optional<SliceLayer> layer{};
+  bool cast = false;
 };
-using Cells = std::array<Cell, 4>;
+using Cells = std::vector<Cell>;
 
 // cellsOf: the four views of a layout, row by row, in an area of the screen, with room for the dividers between them.
 Cells cellsOf(const LayoutState& layout, ImVec2 corner, ImVec2 area);

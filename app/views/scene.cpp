@@ -35,6 +35,19 @@ VolumeLook lookOf(VolumeStyle style) {
   return VolumeLook::surface;
 }
 
+// How a scene's volume is shown.
+void show(VolumeScene& scene, const Workspace& w, VolumeStyle style, double level) {
+  scene.look = lookOf(style);
+  scene.level = static_cast<float>(level);
+  scene.transfer = w.view.volume.transfer(scene.level);
+  scene.shadows = w.view.volume.shadows;
+  if (scene.volume == w.session.scan().volume) scene.window = w.view.grey;
+  if (scene.volume || scene.bytes)
+    std::tie(scene.part.cropMin, scene.part.cropMax) =
+        shownPart(w, scene.volume ? scene.volume->geometry : scene.bytes->geometry);
+  scene.part.clip = clipOf(w);
+}
+
 }  // namespace
 
 bool showsMesh(const Workspace& w) {
@@ -54,14 +67,18 @@ ClipPlane clipOf(const Workspace& w) { return w.view.clip.on ? w.view.clip.plane
 VolumeScene volumeScene(const Workspace& w) {
   const ViewState& v = w.view;
   VolumeScene scene{.volume = shownVolume(w)};
-  scene.look = lookOf(v.volumeStyle);
-  scene.level = static_cast<float>(shownLevel(v, w.session.results()));
-  scene.transfer = v.volume.transfer(scene.level);
-  scene.shadows = v.volume.shadows;
-  if (scene.volume == w.session.scan().volume) scene.window = v.grey;
-  std::tie(scene.part.cropMin, scene.part.cropMax) = shownPart(w, scene.volume->geometry);
-  scene.part.clip = clipOf(w);
+  show(scene, w, v.volumeStyle, shownLevel(v, w.session.results()));
   if (v.volume.mesh && v.volumeStyle == VolumeStyle::translucent) scene.mesh = w.session.results().mesh;
+  return scene;
+}
+
+VolumeScene comparedScene(const Workspace& w, SliceLayer layer) {
+  const Results& results = w.session.results();
+  VolumeScene scene;
+  if (layer == SliceLayer::raw) scene.volume = w.session.scan().volume;
+  if (layer == SliceLayer::classified) scene.volume = results.classified;
+  if (layer == SliceLayer::thinned) scene.bytes = results.thinned;
+  show(scene, w, w.view.comparedStyle, levelOf(w.view, results, layer));
   return scene;
 }
 

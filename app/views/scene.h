@@ -19,10 +19,12 @@ bool showsParts(const Workspace& workspace);
 bool wantsSkin(const Workspace& workspace);
 
 // VolumeScene: a volume as the 3D view shows it.
+//   bytes    in the place of the volume: the thinned one
 //   part     the crop box, and where asked for no more than what lies around the surface, before the plane that cuts
 //   mesh     within it, may be null
 struct VolumeScene {
-  std::shared_ptr<const Volume<float>> volume;
+  std::shared_ptr<const Volume<float>> volume{};
+  std::shared_ptr<const Volume<std::uint8_t>> bytes{};
   VolumeLook look = VolumeLook::surface;
   float level = 0.5f;
   TransferFunction transfer{};
@@ -32,6 +34,8 @@ struct VolumeScene {
   std::shared_ptr<const Mesh> mesh{};
 };
 VolumeScene volumeScene(const Workspace& workspace);
+// comparedScene: a layer in the layout that compares ray-casts: all in the same way. Without a volume where it is not made yet.
+VolumeScene comparedScene(const Workspace& workspace, SliceLayer layer);
 // raycastInput: how it is drawn.
 //   copy    of the volume on the GPU
 //   erased  may be null

@@ -27,8 +27,7 @@ ImVec4 colourOf(Plane plane) {
 std::string nameOf(const ViewFrame& frame, const ShownSlice& shown) {
   const std::string plane = tr(planeName(frame, shown.plane));
   if (!shown.compared) return plane;
-  constexpr std::array<const char*, 3> kLayers{"Raw", "Classified", "Thinned"};
-  return fmt::format("{}   {}", tr(kLayers[std::size_t(shown.layer)]), plane);
+  return fmt::format("{}   {}", tr(layerName(shown.layer)), plane);
 }
 
 // Where the slice lies: counted along its axis, and where that is in the world or from the probe.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <utility>
 
 #include "core/pipeline/parameter_key.h"
 
@@ -17,23 +16,33 @@ constexpr double kBandSeconds = 0.05;                       // for a part of the
 constexpr double kRestingBudget = 2, kSmoothBudget = 0.6;   // seconds for one picture
 constexpr double kMovingLeast = 0.25, kRestingLeast = 0.6;  // share of the pixels along a side
 
+bool showsMesh(const SpaceWindow& window, const Workspace& w) { return !window.compared && ui::showsMesh(w); }
+
+VolumeScene sceneOf(const SpaceWindow& window, const Workspace& w) {
+  return window.compared ? comparedScene(w, *window.compared) : volumeScene(w);
+}
+
 // The objects that the picture is drawn from.
-ObjectsSeen<3>::Objects drawnFrom(const Workspace& w) {
+ObjectsSeen<3>::Objects drawnFrom(const SpaceWindow& window, const Workspace& w) {
   const Results& results = w.session.results();
-  if (showsMesh(w)) return {results.mesh, showsParts(w) ? results.verdicts : nullptr};
+  if (window.compared) {
+    const VolumeScene scene = comparedScene(w, *window.compared);
+    return {scene.volume, scene.bytes, results.points};
+  }
+  if (ui::showsMesh(w)) return {results.mesh, showsParts(w) ? results.verdicts : nullptr};
   return {shownVolume(w), results.points, w.view.volume.mesh ? results.mesh : nullptr};
 }
 
-void addVolume(Hasher& hasher, const Workspace& w) {
+void addVolume(Hasher& hasher, const SpaceWindow& window, const Workspace& w) {
   const ViewState& v = w.view;
-  const auto level = float(shownLevel(v, w.session.results()));
-  hasher.add(level).add(v.volumeLayer).add(v.crop);
+  const VolumeScene scene = sceneOf(window, w);
+  hasher.add(scene.level).add(scene.look).add(v.volumeLayer).add(v.crop);
   addOptions(hasher, w.session.parameters().region);
   hasher.add(w.session.scan().erasedKey);  // as the points have it: a stroke is faster than this view
-  if (v.volumeStyle == VolumeStyle::maximum) hasher.add(v.grey.level).add(v.grey.width);
-  if (v.volumeStyle != VolumeStyle::translucent) return;
+  if (scene.look == VolumeLook::maximum) hasher.add(v.grey.level).add(v.grey.width);
+  if (scene.look != VolumeLook::translucent) return;
   hasher.add(v.volume.shadows).add(v.volume.mesh);
-  for (const auto& p : v.volume.transfer(level).points) {
+  for (const auto& p : scene.transfer.points) {
     const std::array numbers{p.value, p.opacity, p.colour.r, p.colour.g, p.colour.b};
     hasher.add(std::span<const float>(numbers));
   }
@@ -49,16 +58,18 @@ Key pictureKey(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   hasher.add(size.x).add(size.y).add(v.content).add(v.volumeStyle).add(v.meshStyle).add(v.unmeasured);
   const glm::vec4 clip = clipOf(w).equation();
   hasher.addBytes(&clip, sizeof clip);
-  if (showsMesh(w)) {
+  if (showsMesh(window, w)) {
     hasher.add(showsParts(w));
     if (wantsSkin(w)) window.skin.addTo(hasher, w);
   } else {
-    addVolume(hasher, w);
+    addVolume(hasher, window, w);
   }
   return hasher.key();
 }
 
-bool showsSkin(const SpaceWindow& window, const Workspace& w) { return wantsSkin(w) && window.skin.shows(w); }
+bool showsSkin(const SpaceWindow& window, const Workspace& w) {
+  return !window.compared && wantsSkin(w) && window.skin.shows(w);
+}
 
 LightState shownLight(const SpaceWindow& window, const Workspace& w) {
   return showsSkin(window, w) ? window.skin.light() : LightState::refined;
@@ -93,11 +104,21 @@ SurfaceBehind drawBehind(SpaceWindow& window, const VolumeScene& scene, const Ca
   return {window.meshView->buffer(), window.behind};
 }
 
+GpuVolume& copyOf(GpuScans& scans, const VolumeScene& scene, const Workspace& w) {
+  GpuVolume& copy = scene.bytes                               ? scans.thinned
+                    : scene.volume == w.session.scan().volume ? scans.raw
+                                                              : scans.classified;
+  if (scene.bytes)
+    copy.set(scene.bytes);
+  else
+    copy.set(scene.volume);
+  return copy;
+}
+
 void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sketch& sketch) {
   if (!window.raycaster) window.raycaster.emplace();
-  const VolumeScene scene = volumeScene(w);
-  GpuVolume& copy = scene.volume == w.session.scan().volume ? scans.raw : scans.classified;
-  copy.set(scene.volume);
+  const VolumeScene scene = sceneOf(window, w);
+  GpuVolume& copy = copyOf(scans, scene, w);
   const ErasedParts& erased = w.session.erased();
   const bool some = erased.voxels() > 0;
   if (some) scans.erased.set(erased.mask(), erased.key());
@@ -112,7 +133,7 @@ void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, const 
 }
 
 void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sketch& sketch) {
-  if (!showsMesh(w)) return drawVolume(window, scans, w, sketch);
+  if (!showsMesh(window, w)) return drawVolume(window, scans, w, sketch);
   window.picture.fit(sketch.size);
   const bool skin = showsSkin(window, w);
   if (skin) window.skin.draw(w, sketch.samples, window.picture);
@@ -121,7 +142,7 @@ void drawScene(SpaceWindow& window, GpuScans& scans, const Workspace& w, const S
 
 // How many pixels the picture gets, so that it is ready within the budget.
 glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
-  const double affordable = (moving ? window.budget.seconds() : kRestingBudget) / window.secondsPerPixel;
+  const double affordable = (moving ? window.share.seconds : kRestingBudget) / window.secondsPerPixel;
   const double share =
       std::clamp(std::sqrt(affordable / double(size.x * size.y)), moving ? kMovingLeast : kRestingLeast, 1.0);
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), glm::ivec2(16));
@@ -131,7 +152,7 @@ glm::ivec2 pictureSize(const SpaceWindow& window, glm::vec2 size, bool moving) {
 // finished light.
 bool affordsSmoothing(const SpaceWindow& window, const Workspace& w, glm::ivec2 size) {
   if (window.state.light < LightState::refined) return false;
-  return showsMesh(w) && 4 * window.secondsPerPixel * double(size.x) * double(size.y) < kSmoothBudget;
+  return showsMesh(window, w) && 4 * window.secondsPerPixel * double(size.x) * double(size.y) < kSmoothBudget;
 }
 
 // The rows of a volume that rests and that this frame casts: what it affords of those that are left.
@@ -160,23 +181,25 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sket
 }
 
 // Whether the volume that is shown will soon be another one, which a finished picture of this one would keep waiting.
-bool isProvisional(const Workspace& w) {
-  return !showsMesh(w) && w.session.awaitsClassification() && shownVolume(w) != w.session.scan().volume;
+bool isProvisional(const SpaceWindow& window, const Workspace& w) {
+  return !showsMesh(window, w) && w.session.awaitsClassification() &&
+         sceneOf(window, w).volume != w.session.scan().volume;
 }
 
 // What the next picture is: a draft while something moves, and of a volume that takes long at first; then all pixels, of a
 // volume some rows after the other; then smooth edges.
 Sampling nextSampling(const SpaceWindow& window, const Workspace& w, glm::ivec2 whole) {
   const PictureState& state = window.state;
-  if (state.moving || isProvisional(w)) return Sampling::draft;
+  if (state.moving || isProvisional(window, w)) return Sampling::draft;
+  if (state.sampling == Sampling::none && !window.share.refines) return Sampling::draft;
   const bool slow = window.secondsPerPixel * double(whole.x) * double(whole.y) > kBandSeconds;
-  if (!showsMesh(w) && state.sampling == Sampling::none && slow) return Sampling::draft;
+  if (!showsMesh(window, w) && state.sampling == Sampling::none && slow) return Sampling::draft;
   const bool smoothly = state.sampling == Sampling::full && affordsSmoothing(window, w, whole);
   return smoothly ? Sampling::smooth : Sampling::full;
 }
 
 Sketch sketchOf(const SpaceWindow& window, const Workspace& w, Sampling wanted, glm::ivec2 whole) {
-  if (wanted == Sampling::full && !showsMesh(w)) return {whole, 1, nextRows(window, whole)};
+  if (wanted == Sampling::full && !showsMesh(window, w)) return {whole, 1, nextRows(window, whole)};
   return {pictureSize(window, glm::vec2(whole), wanted == Sampling::draft),
           wanted == Sampling::smooth ? 2 : 1};
 }
@@ -184,7 +207,7 @@ Sketch sketchOf(const SpaceWindow& window, const Workspace& w, Sampling wanted, 
 // Draws the picture anew where what it shows has changed, or while the skin's light is on its way.
 void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole) {
   PictureState& state = window.state;
-  if (window.from.see(drawnFrom(workspace))) window.drawn = window.failed = {};
+  if (window.from.see(drawnFrom(window, workspace))) window.drawn = window.failed = {};
   const Key key = pictureKey(window, workspace, whole);
   if (window.failed == key) return;  // not again until something changes
   if (window.drawn != key) {
@@ -193,6 +216,7 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
   }
   const Sampling wanted = nextSampling(window, workspace, whole);
   if (!state.lighting() && state.sampling >= wanted) return;
+  if (wanted > Sampling::draft && !window.share.refines) return;
   if (wanted != Sampling::full) window.castRows = 0;
   const Sketch sketch = sketchOf(window, workspace, wanted, whole);
   const std::string failure = failureOf([&] { redraw(window, scans, workspace, sketch); });
@@ -215,21 +239,20 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
 
 void advancePicture(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole) {
   PictureState& state = window.state;
-  window.budget.frame(workspace.view.frameSeconds, std::exchange(window.pictureSeconds, 0));
   state.light = shownLight(window, workspace);
   const bool lighting = state.lighting(), late = workspace.view.catchingUp || !scans.ready;
   state.moving |= lighting;
   if (!late) refresh(window, scans, workspace, whole);
   state.unfinished = lighting || state.lighting();
-  if (wantsSkin(workspace) && !late) {
+  if (!window.compared && wantsSkin(workspace) && !late) {
     for (const std::string& failure : window.skin.refine(workspace, !state.moving))
       workspace.toasts.add(failure, true);
     state.light = shownLight(window, workspace);
   }
   const bool rough = state.sampling == Sampling::full ? affordsSmoothing(window, workspace, whole)
                                                       : state.sampling < Sampling::full;
-  state.unfinished |= (late || (rough && !isProvisional(workspace))) && !state.moving;
-  workspace.view.skin.status.settled = showsSkin(window, workspace) && state.settled();
+  state.unfinished |= (late || (rough && !isProvisional(window, workspace))) && !state.moving;
+  if (!window.compared) workspace.view.skin.status.settled = showsSkin(window, workspace) && state.settled();
 }
 
 }  // namespace sonoskin::ui

@@ -19,7 +19,6 @@
 namespace sonoskin::ui {
 namespace {
 
-constexpr double kWheelRests = 0.25;        // seconds without a turn
 constexpr double kPreparingSeconds = 0.06;  // between looks at how far the skin is prepared
 
 std::string meshCaption(const SpaceWindow& window, const Workspace& w) {
@@ -72,7 +71,8 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   useTool(window.tools, workspace, {useCube(window.cube, frame, pane, view.camera, view.cameraMoved)});
   if (pane.wheel != 0) window.restsAt = now + kWheelRests;
   const bool turns = turnOn(workspace, pane);
-  window.state.moving = turns || pane.button >= 0 || workspace.view.toolHeld || now < window.restsAt;
+  window.steered = turns || pane.button >= 0 || view.toolHeld || now < window.restsAt;
+  window.state.moving = window.steered || window.share.moves;
   advancePicture(window, scans, workspace, glm::ivec2(pane.size));
   showTexture(pane, window.picture);
   if (workspace.view.cropBox) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/views/cross_hair_marks.h"
-#include "app/views/moving_budget.h"
+#include "app/views/frame_share.h"
 #include "app/views/orientation_cube.h"
 #include "app/views/pane.h"
 #include "app/views/picture_state.h"
@@ -27,7 +27,9 @@ struct GpuScans {
 
 // SpaceWindow: the 3D view. It keeps its picture and draws a new one only when what it shows has changed:
 // with fewer pixels while the camera moves, in full when it rests.
+//   compared  it is one of the ray-casts that are compared, of this layer
 struct SpaceWindow {
+  std::optional<SliceLayer> compared;
   std::optional<Raycaster> raycaster;  // made when first needed: shaders take a moment
   std::optional<MeshView> meshView;
   std::optional<gl::GpuTimer> timer;
@@ -45,9 +47,12 @@ struct SpaceWindow {
   float castRows = 0;             // of a volume that rests: the share of its rows that is cast
   double secondsPerPixel = 1e-6;  // of the last draw
   double pictureSeconds = 0;      // of a picture in the last frame
-  MovingBudget budget;
-  double restsAt = 0;  // ImGui's time when a wheel's turn counts as over
+  FrameShare share;
+  bool steered = false;  // something moves in this view itself
+  double restsAt = 0;    // ImGui's time when a wheel's turn counts as over
 };
+
+inline constexpr double kWheelRests = 0.25;  // seconds without a turn
 
 // drawSpaceWindow: the picture and its marks; turns what the mouse did into the camera.
 //   output  seconds after which it wants a frame; negative for never

@@ -16,14 +16,18 @@ void setLayout(W& w, Layout layout) {
 }
 
 // The classified volume is compared as a surface too.
+template <Layout layout>
 void compare(W& w) {
-  setLayout(w, Layout::compare);
+  setLayout(w, layout);
   w.view.content = SpaceContent::volume;
   w.view.volumeLayer = VolumeLayer::classified;
   w.view.volumeStyle = VolumeStyle::surface;
 }
 
-bool compares(const W& w) { return w.settings.layout.layout == Layout::compare; }
+template <Layout layout>
+bool isLayout(const W& w) {
+  return w.settings.layout.layout == layout;
+}
 
 void comparePlane(W& w) {
   Plane& plane = w.settings.layout.compared;
@@ -35,11 +39,13 @@ constexpr const char* kLayout = "Layout";
 // clang-format off
 const Command kCommands[] = {
   {"layout.fourUp", "Three planes and 3D", Menu::view, key(GLFW_KEY_F2), [](W& w) { setLayout(w, Layout::fourUp); },
-   nullptr, [](const W& w) { return !compares(w); }, true, kLayout},
-  {"layout.compare", "Compare raw, classified, thinned and surface", Menu::view, key(GLFW_KEY_F3), compare, nullptr,
-   compares, false, kLayout},
-  {"layout.comparePlane", "Compare the next plane", Menu::view, {GLFW_KEY_F3, false, true}, comparePlane, compares, nullptr,
-   false, kLayout},
+   nullptr, isLayout<Layout::fourUp>, true, kLayout},
+  {"layout.compare", "Compare raw, classified, thinned and surface", Menu::view, key(GLFW_KEY_F3), compare<Layout::compare>,
+   nullptr, isLayout<Layout::compare>, false, kLayout},
+  {"layout.comparePlane", "Compare the next plane", Menu::view, {GLFW_KEY_F3, false, true}, comparePlane,
+   isLayout<Layout::compare>, nullptr, false, kLayout},
+  {"layout.casts", "Compare them in 3D, with one camera", Menu::view, key(GLFW_KEY_F4), compare<Layout::casts>, nullptr,
+   isLayout<Layout::casts>, false, kLayout},
   {"layout.middle", "Dividers to the middle", Menu::view, {},
    [](W& w) { w.settings.layout.across = w.settings.layout.down = 0.5f; }, nullptr, nullptr, true, kLayout},
 };

@@ -9,8 +9,9 @@ namespace sonoskin {
 // Layout: which views share the window.
 //   fourUp   the three planes and 3D
 //   compare  one plane's slice raw, classified and thinned, and 3D, for the iso-surface of the classified volume
-enum class Layout { fourUp, compare };
-constexpr std::array<const char*, 2> enumNames(Layout) { return {"four-up", "compare"}; }
+//   casts    the same ray-cast raw, classified and thinned, and 3D, with one camera for all
+enum class Layout { fourUp, compare, casts };
+constexpr std::array<const char*, 3> enumNames(Layout) { return {"four-up", "compare", "casts"}; }
 
 // LayoutState: how the views lie, which the window remembers.
 //   across, down  where the dividers are, as shares of the width and of the height; 0.15 to 0.85

@@ -7,7 +7,7 @@
 namespace sonoskin {
 
 // ShownPane: a view that was drawn in this frame, and where, in pixels of the screen.
-//   compared  a slice whose layer is given, beside others
+//   compared  a slice or a ray-cast whose layer is given, beside others
 struct ShownPane {
   Pane pane;
   glm::vec2 corner, size;

@@ -131,6 +131,7 @@ void fields(F&& f, O& o) {
   f("content", o.content);
   f("volumeStyle", o.volumeStyle);
   f("volumeLayer", o.volumeLayer);
+  f("comparedStyle", o.comparedStyle);
   f("crop", o.crop);
   f("meshStyle", o.meshStyle);
   f("unmeasured", o.unmeasured);

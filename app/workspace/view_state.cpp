@@ -2,10 +2,18 @@
 
 namespace sonoskin {
 
-double shownLevel(const ViewState& view, const Results& results) {
-  constexpr double kStrongClassified = 0.3;
+double levelOf(const ViewState& view, const Results& results, SliceLayer layer) {
+  constexpr double kStrongClassified = 0.3, kThinned = 0.15;
   const double found = results.visibleLevel > 0 ? results.visibleLevel : 0.3;
-  return view.volumeLevel.value_or(view.volumeLayer == VolumeLayer::raw ? found : kStrongClassified);
+  if (layer == SliceLayer::thinned) return kThinned;  // interpolation halves what is one voxel thin
+  const bool isRaw = layer == SliceLayer::raw;
+  const double standard = isRaw ? found : kStrongClassified;
+  return isRaw == (view.volumeLayer == VolumeLayer::raw) ? view.volumeLevel.value_or(standard) : standard;
+}
+
+double shownLevel(const ViewState& view, const Results& results) {
+  return levelOf(view, results,
+                 view.volumeLayer == VolumeLayer::raw ? SliceLayer::raw : SliceLayer::classified);
 }
 
 Box surroundings(const Scan& scan, const Results& results) {

@@ -20,6 +20,11 @@
 namespace sonoskin {
 
 enum class SliceLayer { raw, classified, thinned };
+// layerName: for people, in English.
+constexpr const char* layerName(SliceLayer layer) {
+  constexpr std::array<const char*, 3> kNames{"Raw", "Classified", "Thinned"};
+  return kNames[std::size_t(layer)];
+}
 enum class VolumeLayer { raw, classified };
 enum class SpaceContent { volume, mesh };
 enum class MeshStyle { clay, skin };
@@ -97,6 +102,7 @@ struct ViewState {
   MeshStyle meshStyle = MeshStyle::skin;
   bool unmeasured = false;  // marked on mesh and skin: what was filled in or lies at the border of the data
   bool parts = false;       // the mesh in the colours of its parts, which can be taken away and brought back
+  VolumeStyle comparedStyle = VolumeStyle::translucent;  // of the ray-casts that are compared
   std::optional<double>
       volumeLevel;  // the ray-caster's iso-value or the middle of its ramp; empty: the pipeline's
   SkinShow skin;
@@ -126,8 +132,10 @@ struct ViewState {
 // kLeastBrush, kMostBrush: the smallest and the largest ball of the eraser, mm.
 inline constexpr double kLeastBrush = 1, kMostBrush = 40;
 
-// shownLevel: the grey value at which the ray-caster sees a surface: the person's, else the visible level that
-// the pipeline used or, in the classified volume, what makes a strong surface voxel.
+// levelOf: the grey value at which the ray-caster sees a surface in a layer: the person's where it is of that layer, else the
+// visible level that the pipeline used or, in what the classification made, what makes a strong surface voxel.
+// shownLevel: that of the layer that the 3D view shows.
+double levelOf(const ViewState& view, const Results& results, SliceLayer layer);
 double shownLevel(const ViewState& view, const Results& results);
 
 // surroundings: the part of the world that the 3D view is about: around the surface points, else the whole volume.

@@ -30,7 +30,7 @@ class Layouts : public ImGuiTest {
 
 TEST_F(Layouts, CellsFillTheAreaAndDoNotOverlap) {
   for (const float share : {0.15f, 0.5f, 0.7f})
-    for (const Layout kind : {Layout::fourUp, Layout::compare}) {
+    for (const Layout kind : {Layout::fourUp, Layout::compare, Layout::casts}) {
       layout = {kind, share, 1 - share, Plane::coronal};
       const Cells cells = cellsOf(layout, corner, area);
       const float gap = cells[1].corner.x - cells[0].corner.x - cells[0].size.x;
@@ -52,6 +52,17 @@ TEST_F(Layouts, WhatIsComparedIsOneSliceInAllLayers) {
     EXPECT_EQ(cells[n].layer, SliceLayer(n));
   }
   EXPECT_EQ(cells[3].pane, Pane::space);
+}
+
+TEST_F(Layouts, RayCastsThatAreComparedLieBesideTheSurface) {
+  layout = {Layout::casts, 0.5f, 0.5f, Plane::axial};
+  const Cells cells = cellsOf(layout, corner, area);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_TRUE(cells[n].cast);
+    EXPECT_EQ(cells[n].layer, SliceLayer(n));
+  }
+  EXPECT_EQ(cells[3].pane, Pane::space);
+  EXPECT_FALSE(cells[3].cast);
 }
 
 TEST_F(Layouts, DividersFollowTheMouseAndADoubleClickBringsThemBack) {
@@ -102,6 +113,9 @@ TEST(LayoutCommands, HaveTheirKeys) {
   EXPECT_EQ(workspace.settings.layout.layout, Layout::compare);
   EXPECT_EQ(shortcutText(command("layout.fourUp").shortcut), "F2");
   EXPECT_EQ(shortcutText(command("layout.comparePlane").shortcut), "Shift+F3");
+  command("layout.casts").run(workspace);
+  EXPECT_EQ(workspace.settings.layout.layout, Layout::casts);
+  EXPECT_FALSE(isEnabled(command("layout.comparePlane"), workspace)) << "no slice is compared";
   command("layout.fourUp").run(workspace);
   EXPECT_EQ(workspace.settings.layout.layout, Layout::fourUp);
 }

@@ -56,6 +56,39 @@ TEST_F(RaycasterTest, ThinSheetIsNeverLeaptOver) {
   }
 }
 
+// As the thinned volume is stored: the same picture as that of a volume of floats with the same values.
+TEST_F(RaycasterTest, BytesAreCastLikeFloats) {
+  const Volume<float> exact = ball();
+  Volume<std::uint8_t> bytes(exact.geometry);
+  Volume<float> floats(exact.geometry);
+  for (std::size_t i = 0; i < bytes.data.size(); ++i) {
+    bytes.data[i] = std::uint8_t(255 * exact.data[i] + 0.5f);
+    floats.data[i] = float(bytes.data[i]) / 255;
+  }
+  camera_ = parseCamera("front,azimuth=25,elevation=10", Beam{}, worldBox(exact.geometry), 4.0f / 3);
+  target_ = gl::Framebuffer({.size = kSize});
+  const auto picture = [&](VolumeLook look) {
+    raycaster_.draw({.volume = volume_,
+                     .camera = camera_,
+                     .lighting = portraitLighting(camera_),
+                     .look = look,
+                     .transfer = amberTransfer(0.5f)},
+                    target_);
+    return gl::readImage(target_).rgba;
+  };
+  for (const VolumeLook look : {VolumeLook::surface, VolumeLook::translucent, VolumeLook::maximum}) {
+    volume_.set(std::make_shared<Volume<float>>(floats));
+    const auto expected = picture(look);
+    volume_.set(std::make_shared<Volume<std::uint8_t>>(bytes));
+    const auto shown = picture(look);
+    int worst = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      worst = std::max(worst, std::abs(int(shown[i]) - int(expected[i])));
+    EXPECT_LE(worst, 3) << int(look);
+    EXPECT_GT(*std::ranges::max_element(shown), *std::ranges::min_element(shown) + 60) << "something is seen";
+  }
+}
+
 TEST_F(RaycasterTest, FewerRaysShowTheSamePictureMoreSoftly) {
   cast(1);
   const Image fine = gl::readImage(target_);

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "tests/app/window/window_driver.h"
 
 namespace sonoskin {
@@ -30,6 +32,31 @@ TEST_F(WindowTest, ComparesLayersSideBySide) {
   EXPECT_EQ(layout.across, 0.5f);
   d.press("F2");
   EXPECT_EQ(layout.layout, Layout::fourUp);
+}
+
+// One camera for all: the mouse in one of them turns the others, and each ends with a picture of its own.
+TEST_F(WindowTest, RayCastsThatAreComparedTurnTogether) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  d.press("F4");
+  const std::array panes{"pane.raw", "pane.classified", "pane.thinned", "pane.space"};
+  for (const char* pane : panes) ASSERT_TRUE(d.knows(pane)) << pane;
+  d.frames(40);
+  const Image before = d.screenshot("sonoskin_casts");
+  const glm::vec3 forward = d.workspace().view.camera.forward;
+  d.drag(d.point("pane.classified", 0.4f, 0.5f), d.point("pane.classified", 0.7f, 0.6f));
+  EXPECT_LT(glm::dot(d.workspace().view.camera.forward, forward), 0.98f);
+  d.frames(40);
+  const Image after = d.screenshot("sonoskin_casts_turned");
+  for (const char* pane : panes) EXPECT_GT(difference(before, after, d, pane), 0.03) << pane;
+
+  d.doubleClick("pane.thinned");
+  EXPECT_EQ(d.workspace().view.maximised, Pane::coronal) << "in the place of that view";
+  d.frames(5);
+  d.press("Escape");
+  EXPECT_FALSE(d.workspace().view.maximised);
+  d.press("F2");
+  EXPECT_EQ(d.workspace().settings.layout.layout, Layout::fourUp);
 }
 
 TEST_F(WindowTest, KeysMarksAndTheCube) {
