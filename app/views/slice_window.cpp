@@ -83,6 +83,7 @@ void drawSliceWindow(SliceWindow& window, const ShownSlice& shown, std::optional
     return ToolPane{pane, ToolPane::Slice{shown.plane, frameOf(workspace.view, shown.plane, geometry, pane)}};
   };
   if (pane.hovered) workspace.view.pointedAt = shown.plane;
+  if (!shown.compared) linkZoom(workspace.view, shown.plane, geometry, pane);
   useTool(window.tools, workspace, seen());
   if (isThere(workspace, shown.layer) || !shown.compared) {
     refreshSlice(window, shown, view, scans, workspace, glm::max(glm::ivec2(pane.size), glm::ivec2(1)));

@@ -21,11 +21,10 @@ void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& t
   // The point under the mouse stays where it is.
   const glm::dvec2 fromMiddle = glm::dvec2(pane.mouse) - 0.5 * glm::dvec2(pane.size);
   const double before = frameOf(view, plane, geometry, pane).millimetresPerPixel();
-  for (SlicePose& other : view.slices)
-    if (&other == &pose || view.linkedZoom)
-      other.zoom = std::clamp(other.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
+  pose.zoom = std::clamp(pose.zoom * std::pow(1.15, double(pane.wheel)), 0.25, 40.0);
   const double after = frameOf(view, plane, geometry, pane).millimetresPerPixel();
   pose.pan += fromMiddle * (after - before);
+  if (view.linkedZoom && !view.maximised) view.linkedScale = after;
 }
 
 }  // namespace
@@ -53,6 +52,16 @@ void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& 
   } else {
     view.cursor = onVoxel(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
   }
+}
+
+void linkZoom(ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
+  if (!view.linkedZoom || view.maximised) {
+    view.linkedScale = 0;
+    return;
+  }
+  const double now = frameOf(view, plane, geometry, pane).millimetresPerPixel();
+  if (view.linkedScale == 0 && view.pointedAt == plane) view.linkedScale = now;
+  if (view.linkedScale > 0) view.slices[std::size_t(plane)].zoom *= now / view.linkedScale;
 }
 
 bool steer(Camera& camera, const PaneInput& pane) {

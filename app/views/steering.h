@@ -15,6 +15,10 @@ SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry,
 //   turns  of the wheel, not yet a whole slice
 void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& turns, const PaneInput& pane);
 
+// linkZoom: while all slices are zoomed together, brings one to as many mm per pixel as that which was zoomed last. Once a
+// frame for each slice; one that is seen alone is as large as its view.
+void linkZoom(ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane);
+
 // steer: what a mouse does to a camera: left rotates, middle or Shift+left pans, right or wheel zooms.
 //   output  whether the camera has changed
 bool steer(Camera& camera, const PaneInput& pane);

@@ -36,6 +36,7 @@ void readViews(const std::string& json, ViewState& view) {
   const Camera before = view.camera;
   const Orientation turned = view.orientation;
   view_json::read(view_json::Json::parse(json, nullptr, false), view);
+  view.linkedScale = 0;
   if (!isUpright(view.camera)) view.camera = before;
   if (!isQuarterTurn(view.orientation.turn)) view.orientation = turned;
   std::erase_if(view.measures, [](const Measure& measure) { return !isComplete(measure); });

@@ -59,6 +59,7 @@ void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
   view.cursor = g.toWorld(glm::dvec3((g.dims - 1) / 2));
   view.grey = {};
   view.slices.fill({.pan = {0, 0}, .zoom = 0.92});  // a margin for the marks
+  view.linkedScale = 0;
   view.volumeLevel.reset();
   view.maximised.reset();
   view.clip = {};

@@ -85,7 +85,8 @@ struct ViewState {
   Orientation orientation;          // of this document, as the person has it
   PlaneAxes planes;                 // what follows from it and the scan; the views bring it up to date
   Plane pointedAt = Plane::axial;   // whose slice the mouse was over last: arrow keys are its
-  bool linkedZoom = false;          // zooming one slice zooms the others
+  bool linkedZoom = false;          // all slices have as many mm per pixel
+  double linkedScale = 0;           // that many; 0: as many as the slice that the mouse was over last
   bool classifiedTint = false;      // the classified volume in colour over raw slices
   bool slicePoints = false;         // the surface points that lie in a slice
   bool meshContour = true;          // where the surface meets a slice
