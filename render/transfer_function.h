@@ -15,6 +15,7 @@ struct TransferFunction {
     float value = 0;  // 0 to 1
     glm::vec3 colour{1};
     float opacity = 0;
+    friend bool operator==(const Point&, const Point&) = default;
   };
   std::vector<Point> points;  // by rising value, at least one
 
@@ -22,6 +23,7 @@ struct TransferFunction {
   glm::vec4 at(float value) const;
   // threshold: the largest value up to which everything is transparent; 0 where the opacity starts at once.
   float threshold() const;
+  friend bool operator==(const TransferFunction&, const TransferFunction&) = default;
 };
 
 // amberTransfer: the warm look of fetal ultrasound: fluid is clear, faint echoes are dark red, strong ones

@@ -33,6 +33,7 @@ struct LevelledTransfer {
 
   // at: for a scan with another level: all points moved by the difference, within 0 to 1.
   TransferFunction at(float other) const;
+  friend bool operator==(const LevelledTransfer&, const LevelledTransfer&) = default;
 };
 
 }  // namespace sonoskin

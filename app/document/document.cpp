@@ -20,6 +20,7 @@ Parameters drawable(Parameters given, const ScanOptions& before) {
 void showVersion(Document& document) {
   const Version& version = document.history.current();
   document.erased.goTo(version.strokes);
+  document.views = version.views;
   document.change(version.parameters);
 }
 
@@ -33,8 +34,13 @@ void Document::commit() {
   erased.endStroke();
   const Version& last = history.current();
   const bool same = parametersKey(parameters) == parametersKey(last.parameters);
-  if (!same || erased.strokes() != last.strokes)
-    history.push({parameters, erased.strokes(), erased.voxels()});
+  if (!same || erased.strokes() != last.strokes || !(views == last.views))
+    history.push({parameters, erased.strokes(), erased.voxels(), views});
+}
+
+void Document::beginViews(const ViewEdits& begun) {
+  views = begun;
+  history.changeAll([&](Version& version) { version.views = begun; });
 }
 
 void Document::undo() {
@@ -67,7 +73,7 @@ void Document::adopt(const Opened& opened, const Scan& before) {
   const bool anew = opened.parameters || resized || changed || erased.hasStrokes() || scan.erased;
   erased.reset(scan.volume->geometry);
   if (scan.erased) erased.become(*scan.erased);
-  if (anew) history = History<Version>({parameters, erased.strokes(), erased.voxels()});
+  if (anew) history = History<Version>({parameters, erased.strokes(), erased.voxels(), views});
   name = opened.name;
   givesSpacing = opened.givesSpacing;
   reading = opened.reading;

@@ -6,6 +6,7 @@
 
 #include "app/document/erased_parts.h"
 #include "app/document/history.h"
+#include "app/document/view_edits.h"
 #include "core/pipeline/parameters.h"
 #include "core/volume/scan.h"
 
@@ -31,10 +32,12 @@ struct Version {
   Parameters parameters;
   std::size_t strokes = 0;  // of the eraser
   std::size_t erased = 0;   // voxels
+  ViewEdits views{};
 };
 
 // Document: what belongs to the baby, whichever moment of it is looked at (Frame): where it comes from, the parameters, among
-// them landmarks, crop box and marks of parts, what was erased, and the history of these. A recipe holds this.
+// them landmarks, crop box and marks of parts, what was erased, what a person made in the views, and the history of these. A
+// recipe holds this, but what was made in the views.
 struct Document {
   explicit Document(const Parameters& parameters);
 
@@ -46,6 +49,8 @@ struct Document {
   void redo();
   // goTo: to a version of the history; what was changed since the last step becomes one before.
   void goTo(std::size_t version);
+  // beginViews: what there is in the views where the document begins: no step leads behind it.
+  void beginViews(const ViewEdits& begun);
   // adopt: another volume in the place of the present one, or the same with another spacing. A crop box and what was erased
   // belong to a volume's dimensions, landmarks to a face: where these are others they begin anew, and with them what undo
   // goes back to.
@@ -60,6 +65,7 @@ struct Document {
   std::filesystem::path source;  // of the scan, where it is from a file
   Parameters parameters;
   ErasedParts erased;
+  ViewEdits views;
   History<Version> history;
 };
 

@@ -27,6 +27,11 @@ class History {
     if (versions_.size() > kMost) versions_.erase(versions_.begin());
     position_ = versions_.size() - 1;
   }
+  // changeAll: what is true of all versions.
+  template <class F>
+  void changeAll(F&& change) {
+    for (T& version : versions_) change(version);
+  }
   // undo, redo: one step, where there is one.
   void undo() {
     if (canUndo()) --position_;

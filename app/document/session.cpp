@@ -87,6 +87,11 @@ void Session::editParts(const MeshOptions& mesh) {
   if (differs && frame_.results.mesh && !mayFollow()) update(Goal::surface);
 }
 
+void Session::editViews(const ViewEdits& edits) {
+  document_.views = edits;
+  commitEdit();
+}
+
 void Session::undo() { change(&Document::undo); }
 
 void Session::redo() { change(&Document::redo); }

@@ -105,6 +105,11 @@ class Session {
   bool canRedo() const { return document_.history.canRedo(); }
   void undo();
   void redo();
+  // editViews: what a person has made in the views, as one step for undo; viewEdits: as the document has it. beginViews: what
+  // is there where the document begins.
+  void editViews(const ViewEdits& edits);
+  const ViewEdits& viewEdits() const { return document_.views; }
+  void beginViews(const ViewEdits& edits) { document_.beginViews(edits); }
   // history: every step, the first of which is the document as it was opened; goToStep: to any of them.
   const History<Version>& history() const { return document_.history; }
   void goToStep(std::size_t step);

@@ -22,6 +22,7 @@
 #include "app/workspace/session_actions.h"
 #include "app/workspace/shown_layers.h"
 #include "app/workspace/tour.h"
+#include "app/workspace/view_history.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
 #include "core/base/log.h"
@@ -179,6 +180,7 @@ void Application::draw() {
   attempt([&] { takeInput(event); });
   attempt([this] { updateDocument(); });
   attempt([this] { drawInterface(); });
+  noteViewEdits(workspace_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   if (keyTakers(workspace_) & ~before) window_.settle();
   if (workspace_.menuAsked) window_.requestFrames(6);  // it opens in the next, and is steered some later
   // An error may have left windows and groups open.

@@ -7,6 +7,7 @@
 #include "app/document/input.h"
 #include "app/texts/texts.h"
 #include "app/workspace/view_file.h"
+#include "app/workspace/view_history.h"
 #include "app/workspace/workspace.h"
 #include "core/io/file_formats.h"
 
@@ -76,6 +77,7 @@ void takeInOpened(Workspace& w) {
   if (auto lost = session.takeLostVolume()) w.lostVolume = std::move(lost);
   if (w.noted != session.opened()) {
     w.noted = session.opened();
+    beginViewEdits(w);
     w.sessionFile.clear();
     w.savedMarks = marksKey(w.view);
     if (!session.source().empty()) w.settings.noteOpened(session.source());
@@ -84,6 +86,7 @@ void takeInOpened(Workspace& w) {
   const auto reopened = session.takeReopened();
   if (!reopened) return;
   readViews(reopened->file.views, w.view);
+  beginViewEdits(w);
   w.view.cameraMoved = true;  // it stays where it was when points and surface are made again
   w.restored |= reopened->recovers;
   if (reopened->recovers) return;

@@ -10,6 +10,7 @@
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
 #include "app/widgets/layout.h"
+#include "app/workspace/view_step_title.h"
 #include "core/pipeline/presets.h"
 #include "core/pipeline/stage_keys.h"
 
@@ -103,6 +104,7 @@ std::string severalTitle(const std::vector<Change>& changes, const Parameters& a
 
 std::string stepTitle(const Version& before, const Version& after) {
   const std::vector<Change> changes = changesBetween(before.parameters, after.parameters);
+  if (changes.empty() && !(before.views == after.views)) return viewStepTitle(before.views, after.views);
   if (changes.empty()) return erasedTitle(before.erased, after.erased);
   if (allAre(changes, "region", "")) return tr("Crop box");
   if (allAre(changes, "landmarks", "")) return tr("Landmark");

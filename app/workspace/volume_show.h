@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "render/clip_plane.h"
+#include "app/document/view_edits.h"
 #include "render/transfer_presets.h"
 
 namespace sonoskin {
@@ -29,12 +29,6 @@ struct VolumeShow {
 
   // transfer: for a scan whose skin begins at a grey value, 0 to 1.
   TransferFunction transfer(float level) const;
-};
-
-// ClipShow: the plane that cuts what the 3D view shows.
-struct ClipShow {
-  bool on = false;
-  ClipPlane plane;
 };
 
 }  // namespace sonoskin

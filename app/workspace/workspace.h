@@ -81,6 +81,7 @@ struct Workspace {
   std::function<void()> afterSaving;  // what waits until the session is saved
   std::uint64_t noted = 0;            // which opened scan is among the recent files
   Key savedMarks;                     // of the measures that were saved last
+  ViewEdits notedEdits;               // that views and document had in common last
   TimePlay play;
   VolumeHistogram histogram;
   PictureFormat pictureFormat;
