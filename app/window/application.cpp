@@ -1,7 +1,7 @@
 #include "app/window/application.h"
 
 #define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include <GLFW/glfw3.h>  // the codes of keys
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -48,14 +48,12 @@ unsigned keyTakers(const Workspace& w) {
 
 }  // namespace
 
-Application::Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters)
-    : settings_(readSettings(settingsFile())),
-      window_("Sonoskin", {settings_.width, settings_.height}, {settings_.appearance, settings_.scale}),
-      workspace_(parameters) {
+Application::Application(const std::optional<std::filesystem::path>& file, const Parameters& parameters,
+                         Around around)
+    : apart_(std::move(around.apart)), workspace_(parameters) {
   TaskPool::instance().giveWay();
-  gl::loadGl(glfwGetProcAddress);
   workspace_.glInfo = gl::glInfo();
-  workspace_.settings = settings_;
+  workspace_.settings = std::move(around.settings);
   if (file) {
     openAny(workspace_, *file);
   } else {
@@ -66,12 +64,7 @@ Application::Application(const std::optional<std::filesystem::path>& file, const
 }
 
 Application::~Application() {
-  attempt([this] {
-    const glm::vec2 size = glm::vec2(window_.size()) / window_.scale();
-    workspace_.settings.width = static_cast<int>(size.x);
-    workspace_.settings.height = static_cast<int>(size.y);
-    writeSettings(settingsFile(), workspace_.settings);
-  });
+  attempt([this] { writeSettings(settingsFile(), workspace_.settings); });
 }
 
 bool Application::attempt(const std::function<void()>& action) {
@@ -95,29 +88,29 @@ double Application::secondsToNext() const {
   return seconds - sinceDrawn_.seconds();
 }
 
-bool Application::frame() {
+double Application::waitSeconds() const {
   const double most = workspace_.session.activity().busy ? kLookSeconds : kIdleSeconds;
-  const bool event = window_.waitForFrame(std::clamp(secondsToNext(), 0.0, most));
-  const bool due = secondsToNext() <= 0;
-  bool arrived = false;
-  attempt([&] { arrived = workspace_.session.poll(); });
-  arrived |= log_.waiting();
-  if (arrived) window_.requestFrames(workspace_.session.activity().busy ? 1 : 3);
-  if (event || arrived || due) draw();
-  attempt([this] { autosave_.look(workspace_); });
-  if (window_.closeRequested()) attempt([this] { answerClosing(); });
-  return !workspace_.quit || workspace_.session.saving();
+  return std::clamp(secondsToNext(), 0.0, most);
 }
 
-void Application::answerClosing() {
-  window_.keepOpen();  // until the question is answered, where there is one
-  window_.requestFrames();
-  workspace_.confirmLoss(tr("Quitting"), [this] { workspace_.quit = true; });
+bool Application::takeIn() {
+  bool arrived = false;
+  attempt([&] { arrived = workspace_.session.poll(); });
+  return arrived || log_.waiting();
+}
+
+void Application::keep() {
+  attempt([this] { autosave_.look(workspace_); });
+}
+
+void Application::askToQuit() {
+  attempt([this] { workspace_.confirmLoss(tr("Quitting"), [this] { workspace_.quit = true; }); });
 }
 
 // Keys are looked at when their frame has begun: whether a text field takes them is known only then.
-void Application::takeInput(const std::optional<Event>& event) {
-  takeDropped(workspace_, window_.takeDroppedFiles());
+void Application::takeInput(const FrameInput& input) {
+  const std::optional<Event>& event = input.event;
+  takeDropped(workspace_, input.dropped);
   workspace_.view.trail = event ? event->through : std::vector<glm::vec2>();
   if (!event || menuKeys_.take(*event, workspace_) || widgetKeys_.take(*event)) return;
   if (event->kind != Event::Kind::key || !event->down) return;
@@ -152,7 +145,6 @@ void Application::updateDocument() {
     resetView(workspace_.view, scan, session.beam());
   }
   takeInOpened(workspace_);
-  showModified();
   if (shownPoints_.see({session.results().points})) {
     if (!workspace_.view.cameraMoved && session.hasScan()) workspace_.lookAtFace();
   }
@@ -163,35 +155,30 @@ void Application::updateDocument() {
   }
 }
 
-void Application::draw() {
+ui::KeySteering Application::beforeFrame() {
+  useLanguage(languageOf(workspace_.settings.language));
+  menuKeys_.beforeFrame();
+  return widgetKeys_.forFrame();
+}
+
+Application::FrameWish Application::frame(const FrameInput& input) {
+  frame_ = {};
   const unsigned before = keyTakers(workspace_);
-  std::optional<Event> event;
-  const bool begun = attempt([&] {
-    if (atFrame && !window_.eventsWait()) atFrame();
-    useLanguage(languageOf(workspace_.settings.language));
-    window_.setLook({workspace_.settings.appearance, workspace_.settings.scale});
-    workspace_.screenScale = double(window_.screenScale());
-    menuKeys_.beforeFrame();
-    event = window_.beginFrame(widgetKeys_.forFrame());
-  });
-  if (!begun) return;
-  const Timer timer;
-  workspace_.view.catchingUp = window_.eventsWait();
-  attempt([&] { takeInput(event); });
+  workspace_.screenScale = input.screenScale;
+  workspace_.view.catchingUp = input.catchesUp;
+  attempt([&] { takeInput(input); });
   attempt([this] { updateDocument(); });
   attempt([this] { drawInterface(); });
   noteViewEdits(workspace_, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
-  if (keyTakers(workspace_) & ~before) window_.settle();
-  if (workspace_.menuAsked) window_.requestFrames(6);  // it opens in the next, and is steered some later
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
-  attempt([this] {
-    const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
-    gl::Target(0, {0, 0}, window_.framebufferSize()).clear({ground.x, ground.y, ground.z, 1});
-    window_.endFrame();
-  });
+  // A menu that was asked for opens in the next frame, and is steered some later.
+  return {(keyTakers(workspace_) & ~before) != 0, workspace_.menuAsked ? 6 : 0};
+}
+
+void Application::afterFrame() {
   if (!workspace_.view.catchingUp) lookForGlErrors();
-  workspace_.view.frameSeconds = timer.seconds();
+  workspace_.view.frameSeconds = frame_.seconds();
   sinceDrawn_ = {};
 }
 
@@ -210,11 +197,6 @@ void Application::askToRestore() {
   };
   const auto discard = [slot] { const AutosaveSlot gone(std::move(*slot)); };
   workspace_.recovery = Workspace::Recovery{leftText(slot->file()), restore, discard};
-}
-
-void Application::showModified() {
-  if (std::exchange(titleModified_, workspace_.isModified()) == titleModified_) return;
-  window_.setTitle(titleModified_ ? "● Sonoskin" : "Sonoskin");
 }
 
 // Each frame may have the same: one sentence is enough.
@@ -237,7 +219,7 @@ void Application::drawInterface() {
   ui::drawQuestion(workspace_);
   ui::drawPictureQuestion(workspace_);
   ui::drawColoursWindow(workspace_);
-  sheetWants_ = sheet_.draw(workspace_, [this] { return background().share(); });
+  sheetWants_ = sheet_.draw(workspace_, apart_);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
   ui::drawLostVolume(workspace_);

@@ -21,6 +21,16 @@ PictureOptions optionsOf(const PictureFormat& format) {
   return options;
 }
 
+// Draws with a context, which is free again however that ends.
+void drawApart(gl::Context& context, const std::function<void()>& draw) {
+  struct Turn {
+    gl::Context& context;
+    ~Turn() { context.release(); }
+  } const turn{context};
+  context.makeCurrent();
+  draw();
+}
+
 }  // namespace
 
 void Application::saveMessages(const std::filesystem::path& path) {
@@ -74,26 +84,21 @@ void Application::act(const ui::FileChoice& choice) {
   }
 }
 
-BackgroundContext& Application::background() {
-  if (!background_) background_.emplace();
-  return *background_;
-}
-
 // Drawing in full and baking take seconds where OpenGL is drawn in software: the window does not wait for them.
 void Application::saveSkin(const std::filesystem::path& path, bool light) {
-  workspace_.session.saveSkin(
-      path, [&context = background(), shot = ui::takeSkinShot(views_.space, workspace_), light] {
-        TexturedMesh baked;
-        context.use([&] { baked = ui::bakeShot(shot, light); });
-        return baked;
-      });
+  workspace_.session.saveSkin(path,
+                              [apart = apart_(), shot = ui::takeSkinShot(views_.space, workspace_), light] {
+                                TexturedMesh baked;
+                                drawApart(*apart, [&] { baked = ui::bakeShot(shot, light); });
+                                return baked;
+                              });
 }
 
 void Application::savePicture(const std::filesystem::path& path) {
-  auto write = [path, &context = background(), shot = ui::takeShot(views_.space, workspace_),
+  auto write = [path, apart = apart_(), shot = ui::takeShot(views_.space, workspace_),
                 options = optionsOf(workspace_.pictureFormat)](const Progress&) {
     Image image;
-    context.use([&] { image = ui::drawShot(shot, options); });
+    drawApart(*apart, [&] { image = ui::drawShot(shot, options); });
     writePng(path, image);
   };
   workspace_.session.savePicture(path, std::move(write), ui::showsMesh(workspace_));
@@ -103,14 +108,14 @@ void Application::saveTurntable(const std::filesystem::path& path) {
   const int views = workspace_.pictureFormat.views;
   if (const std::string taken = TurntableFiles::taken(path); !taken.empty())
     throw Error(fmt::format("{} is there already; choose another name.", taken));
-  auto write = [path, views, &context = background(), shot = ui::takeShot(views_.space, workspace_),
+  auto write = [path, views, apart = apart_(), shot = ui::takeShot(views_.space, workspace_),
                 options = optionsOf(workspace_.pictureFormat)](const Progress& progress) mutable {
     TurntableFiles files(path, views);
     options.turntable = {views, [&](int view, Image picture) {
                            files.write(view, std::move(picture));
                            progress.update(0.9 * (view + 1) / views);
                          }};
-    context.use([&] { ui::drawShot(shot, options); });
+    drawApart(*apart, [&] { ui::drawShot(shot, options); });
     files.finish(progress.cancelOnly());
   };
   workspace_.session.savePicture(path, std::move(write), ui::showsMesh(workspace_));

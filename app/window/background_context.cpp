@@ -46,12 +46,6 @@ BackgroundContext::BackgroundContext() {
 
 BackgroundContext::~BackgroundContext() { glfwDestroyWindow(window_); }
 
-void BackgroundContext::use(const std::function<void()>& draw) {
-  Turn turn(*this);
-  turn.makeCurrent();
-  draw();
-}
-
 std::shared_ptr<gl::Context> BackgroundContext::share() { return std::make_shared<Turn>(*this); }
 
 }  // namespace sonoskin

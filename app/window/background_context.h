@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -21,11 +20,8 @@ class BackgroundContext {
   BackgroundContext(const BackgroundContext&) = delete;
   BackgroundContext& operator=(const BackgroundContext&) = delete;
 
-  // use: draws with the context, on the thread that calls; one at a time, others wait. All GL objects of it must be gone
-  // afterwards.
-  void use(const std::function<void()>& draw);
-  // share: for long work on one thread that draws now and then: from makeCurrent() to release() it is as within use(). It must
-  // not outlive the context.
+  // share: it is somebody's from makeCurrent() to release(), others wait; all GL objects of it must be gone then. What is shared
+  // must not outlive the context.
   std::shared_ptr<gl::Context> share();
 
  private:

@@ -4,11 +4,10 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
-#include <imgui_impl_opengl3.h>
 
-#include "app/widgets/open_lists.h"
-#include "app/widgets/theme.h"
 #include "core/base/error.h"
+#include "render/gl/context.h"
+#include "render/gl/framebuffer.h"
 
 namespace sonoskin {
 namespace {
@@ -62,16 +61,14 @@ DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size, const Wi
   const float wanted = scale() / events_.contentScale();  // the window has the system's scale already
   if (wanted != 1) glfwSetWindowSize(window_, int(wanted * float(size.x)), int(wanted * float(size.y)));
 
-  ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;          // the layout is computed, there is nothing to remember
+  gl::loadGl(glfwGetProcAddress);
+  interface_.emplace();
   ImGui_ImplGlfw_InitForOpenGL(window_, false);  // the queue takes the place of its callbacks
-  ImGui_ImplOpenGL3_Init("#version 450");
 }
 
 DesktopWindow::~DesktopWindow() {
-  ImGui_ImplOpenGL3_Shutdown();
   ImGui_ImplGlfw_Shutdown();
-  ImGui::DestroyContext();
+  interface_.reset();
   glfwDestroyWindow(window_);
   glfwTerminate();
 }
@@ -85,33 +82,21 @@ float DesktopWindow::screenScale() const {
 
 float DesktopWindow::scale() const { return look_.scale > 0 ? float(look_.scale) : screenScale(); }
 
-void DesktopWindow::applyLook() {
-  ImGui_ImplOpenGL3_DestroyFontsTexture();
-  const WindowLook wanted{look_.appearance, double(scale())};
-  ui::loadFonts(scale());
-  ui::applyTheme(scale(), look_.appearance);
-  ImGui_ImplOpenGL3_CreateFontsTexture();
-  drawn_ = wanted;  // tried again in the next frame where one of these failed
-  events_.requestFrames(3);
-}
-
 std::optional<Event> DesktopWindow::beginFrame(const ui::KeySteering& steering) {
-  if (drawn_ != WindowLook{look_.appearance, double(scale())}) applyLook();
+  if (interface_->dress({look_.appearance, double(scale())})) events_.requestFrames(3);
   const std::optional<Event> event = events_.take();
-  ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  feed_.feed(event, events_.knownUntil(), ImGui::GetIO());
-  ui::steerByKeys(steering);
-  ImGui::NewFrame();
+  interface_->beginFrame(event, events_.knownUntil(), steering);
   events_.hasBegun();
   return event;
 }
 
 void DesktopWindow::endFrame() {
-  if (eventsWait()) return ImGui::EndFrame();
-  ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  glfwSwapBuffers(window_);
+  const bool seen = !eventsWait();
+  const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  if (seen) gl::Target(0, {0, 0}, framebufferSize()).clear({ground.x, ground.y, ground.z, 1});
+  interface_->endFrame(seen);
+  if (seen) glfwSwapBuffers(window_);
 }
 
 void DesktopWindow::setTitle(const char* title) { glfwSetWindowTitle(window_, title); }

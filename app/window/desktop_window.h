@@ -6,22 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "app/widgets/appearance.h"
-#include "app/widgets/open_lists.h"
-#include "app/window/event_feed.h"
+#include "app/window/interface.h"
 #include "app/window/window_events.h"
 
 struct GLFWwindow;
 
 namespace sonoskin {
-
-// WindowLook: how the interface is drawn.
-//   scale  of texts and widgets; 0: as the screen has it
-struct WindowLook {
-  Appearance appearance = Appearance::dark;
-  double scale = 0;
-  friend bool operator==(const WindowLook&, const WindowLook&) = default;
-};
 
 // DesktopWindow: one window of the desktop with an OpenGL 4.5 context, which it makes current, and Dear ImGui
 // on top. It draws only when asked: a still window costs no time.
@@ -65,13 +55,10 @@ class DesktopWindow {
   glm::ivec2 framebufferSize() const;  // in pixels
 
  private:
-  void applyLook();
-
   GLFWwindow* window_ = nullptr;
   WindowLook look_;
-  WindowLook drawn_{Appearance::dark, -1};  // with which the fonts are made; none yet
   WindowEvents events_;
-  EventFeed feed_;
+  std::optional<Interface> interface_;  // once there is a context
 };
 
 }  // namespace sonoskin

@@ -1,12 +1,12 @@
 #include "app/window/window.h"
 
-#include "app/window/application.h"
+#include "app/window/window_loop.h"
 
 namespace sonoskin {
 
 int openWindow(const std::optional<std::filesystem::path>& file, const Parameters& parameters) {
-  Application application(file, parameters);
-  while (application.frame()) {
+  WindowLoop loop(file, parameters);
+  while (loop.frame()) {
   }
   return 0;
 }

@@ -18,13 +18,13 @@ class SlowWindowTest : public WindowTest {
   void during(const std::string& actions) {
     int status = -1;
     shown_ = 0;
-    driver->application.atFrame = [&] {
+    driver->loop.atFrame = [&] {
       if (shown_++ == 0) status = std::system(("xdotool " + actions).c_str());
       std::this_thread::sleep_for(std::chrono::milliseconds(300));
     };
     driver->frames(4);
     ASSERT_EQ(status, 0) << actions;
-    driver->application.atFrame = {};
+    driver->loop.atFrame = {};
   }
   static std::string move(ImVec2 p) {
     return "mousemove " + std::to_string(int(p.x)) + " " + std::to_string(int(p.y)) + " ";
@@ -124,9 +124,9 @@ TEST_F(SlowWindowTest, KeysReachThePalette) {
 // A frame that fails is a message, and the next one follows.
 TEST_F(SlowWindowTest, AFrameThatCannotBeginIsAMessage) {
   Driver& d = *driver;
-  d.application.atFrame = [] { throw Error("There is no memory for a frame."); };
+  d.loop.atFrame = [] { throw Error("There is no memory for a frame."); };
   d.frames(2);
-  d.application.atFrame = {};
+  d.loop.atFrame = {};
   d.frames(2);
   ASSERT_FALSE(d.workspace().toasts.list.empty());
   EXPECT_EQ(d.workspace().toasts.list.front().text, "There is no memory for a frame.");

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/widgets/widget_rects.h"
-#include "app/window/application.h"
+#include "app/window/window_loop.h"
 #include "core/base/timer.h"
 #include "core/io/image.h"
 #include "tests/support/temp_folder.h"
@@ -22,21 +22,22 @@ namespace fs = std::filesystem;
 // Driver: runs the program's own window and moves the real mouse of the display in it.
 class Driver {
  public:
-  explicit Driver(const Parameters& parameters) : application(std::nullopt, parameters) {
+  explicit Driver(const Parameters& parameters) : loop(std::nullopt, parameters) {
     workspace().help.offered = false;  // the tour would lie over what tests click on
     ImGui::GetIO().UserData = &rects_;
     ImGui::GetIO().MouseDoubleClickTime = 5;  // frames may be slow where many tests run
   }
 
-  Workspace& workspace() { return application.workspace(); }
-  const Workspace& workspace() const { return application.workspace(); }
+  Workspace& workspace() { return loop.application().workspace(); }
+  const Workspace& workspace() const { return loop.application().workspace(); }
   Session& session() { return workspace().session; }
   bool alive() const { return alive_; }
+  const ui::WidgetRects& rects() const { return rects_; }
 
   void frames(int count) {
-    for (int i = 0; (i < count || application.eventsWait()) && alive_; ++i) {
-      application.requestFrame();
-      alive_ = application.frame();
+    for (int i = 0; (i < count || loop.eventsWait()) && alive_; ++i) {
+      loop.requestFrame();
+      alive_ = loop.frame();
     }
   }
   // wait: frames until the condition holds; false after `seconds`.
@@ -103,7 +104,7 @@ class Driver {
     return readPng(path);
   }
 
-  Application application;
+  WindowLoop loop;
 
  private:
   const test::TempFolder pictures_;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/window/application.h"
+#include "app/window/window_loop.h"
 #include "core/base/timer.h"
 
 namespace sonoskin {
@@ -31,16 +31,16 @@ double residentMegabytes() {
 // Watch: the frames of one act of the session.
 class Watch {
  public:
-  explicit Watch(Application& application) : application_(application) {
-    application_.atFrame = [this] { began_ = Timer(); };
+  explicit Watch(WindowLoop& loop) : loop_(loop) {
+    loop_.atFrame = [this] { began_ = Timer(); };
   }
-  Workspace& workspace() { return application_.workspace(); }
+  Workspace& workspace() { return loop_.application().workspace(); }
   Session& session() { return workspace().session; }
 
-  void request() { application_.requestFrame(); }
+  void request() { loop_.requestFrame(); }
   void frame() {
     began_.reset();
-    application_.frame();
+    loop_.frame();
     if (began_) milliseconds_.push_back(1000 * began_->seconds());
   }
   bool until(const std::function<bool()>& condition, double seconds = 120) {
@@ -69,7 +69,7 @@ class Watch {
   }
 
  private:
-  Application& application_;
+  WindowLoop& loop_;
   std::optional<Timer> began_;
   std::vector<double> milliseconds_;
 };
@@ -130,8 +130,8 @@ void reconstruct(Watch& watch) {
 }
 
 void runSession(const std::optional<std::filesystem::path>& file) {
-  Application application({}, {});
-  Watch watch(application);
+  WindowLoop loop({}, {});
+  Watch watch(loop);
   watch.idle();
   watch.tell("start with the phantom", 0);
   double beta = 1;  // another one for each turn: nothing is remembered
