@@ -175,8 +175,9 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sket
   if (sketch.samples > 1 || lighting || window.state.lighting()) return;
   const double pixels = double(sketch.size.x) * sketch.size.y * double(sketch.rows.y - sketch.rows.x);
   const double perPixel = window.pictureSeconds / pixels;
-  // Small pictures cost more per pixel: follow a rise at once, a fall slowly.
-  window.secondsPerPixel = std::max(perPixel, 0.7 * window.secondsPerPixel + 0.3 * perPixel);
+  // Small pictures cost more per pixel: follow a rise at once, a fall slowly. What others cost says nothing of this.
+  const double before = window.costKnown ? window.secondsPerPixel : perPixel;
+  window.secondsPerPixel = std::max(perPixel, 0.7 * before + 0.3 * perPixel);
   window.secondsPerPixel = std::clamp(window.secondsPerPixel, 1e-9, 1e-4);
 }
 
@@ -207,7 +208,10 @@ Sketch sketchOf(const SpaceWindow& window, const Workspace& w, Sampling wanted, 
 // Draws the picture anew where what it shows has changed, or while the skin's light is on its way.
 void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::ivec2 whole) {
   PictureState& state = window.state;
-  if (window.from.see(drawnFrom(window, workspace))) window.drawn = window.failed = {};
+  if (window.from.see(drawnFrom(window, workspace))) {
+    window.drawn = window.failed = {};
+    window.costKnown = false;
+  }
   const Key key = pictureKey(window, workspace, whole);
   if (window.failed == key) return;  // not again until something changes
   if (window.drawn != key) {
@@ -231,6 +235,10 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
   if (window.castRows > 0) return;
   // A draft that has all pixels is the full picture.
   state.sampling = wanted == Sampling::draft && sketch.size == whole ? Sampling::full : wanted;
+  // With the first one a surface is copied to the GPU: whether it can be smoothed is told by another.
+  const bool first = !std::exchange(window.costKnown, true);
+  if (first && showsMesh(workspace) && !affordsSmoothing(window, workspace, whole))
+    state.sampling = Sampling::draft;
   if (wanted != Sampling::smooth && showsSkin(window, workspace))
     window.skin.note(workspace, double(sketch.size.x) * sketch.size.y / (double(whole.x) * whole.y));
 }

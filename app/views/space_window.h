@@ -46,6 +46,7 @@ struct SpaceWindow {
   ObjectsSeen<3> from;            // what both are of
   float castRows = 0;             // of a volume that rests: the share of its rows that is cast
   double secondsPerPixel = 1e-6;  // of the last draw
+  bool costKnown = false;         // that draw was one of the same objects
   double pictureSeconds = 0;      // of a picture in the last frame
   FrameShare share;
   bool steered = false;  // something moves in this view itself
