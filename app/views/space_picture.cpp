@@ -237,7 +237,7 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
   state.sampling = wanted == Sampling::draft && sketch.size == whole ? Sampling::full : wanted;
   // With the first one a surface is copied to the GPU: whether it can be smoothed is told by another.
   const bool first = !std::exchange(window.costKnown, true);
-  if (first && showsMesh(workspace) && !affordsSmoothing(window, workspace, whole))
+  if (first && showsMesh(window, workspace) && !affordsSmoothing(window, workspace, whole))
     state.sampling = Sampling::draft;
   if (wanted != Sampling::smooth && showsSkin(window, workspace))
     window.skin.note(workspace, double(sketch.size.x) * sketch.size.y / (double(whole.x) * whole.y));
