@@ -47,8 +47,9 @@ double drawCast(SpaceWindow& window, GpuScans& scans, Workspace& w, const PaneIn
     showTexture(pane, window.picture);
   } else {
     window.state.unfinished = false;
-    paneText(pane, tr("Not made yet"));
+    window.picture = {};
   }
+  if (!window.picture) paneText(pane, tr("Not made yet"));
   drawMarks(pane, w, scene, *window.compared);
   if (window.picture && window.state.unfinished) return 0;
   return now < window.restsAt ? window.restsAt - now : -1;
