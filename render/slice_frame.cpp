@@ -9,7 +9,25 @@ glm::dvec2 SliceFrame::toPixel(const glm::dvec3& world) const {
   return {glm::dot(d, right) / glm::dot(right, right), glm::dot(d, down) / glm::dot(down, down)};
 }
 
+namespace {
+
+// The volume's middle, brought to the plane, is in the middle of the picture: the picture stays where it is while the cross-hair
+// moves in the plane.
+SliceFrame obliqueFrame(const Geometry& g, const SliceCamera& camera, glm::ivec2 size) {
+  const PlaneDirections& plane = *camera.oblique;
+  const glm::dvec3 n = plane.normal(), sides = g.spacing * glm::dvec3(g.dims);
+  const double longest = std::max({sides.x, sides.y, sides.z});
+  const double mm = longest / std::min(size.x, size.y) / camera.zoom;
+  const glm::dvec3 middle = g.toWorld(0.5 * glm::dvec3(g.dims - 1));
+  const glm::dvec3 onPlane = middle + glm::dot(camera.cursor - middle, n) * n;
+  const glm::dvec2 offset = camera.pan + 0.5 * mm * glm::dvec2(size);
+  return {onPlane - offset.x * plane.right - offset.y * plane.down, mm * plane.right, mm * plane.down};
+}
+
+}  // namespace
+
 SliceFrame sliceFrame(const Geometry& geometry, const SliceCamera& camera, glm::ivec2 size) {
+  if (camera.oblique) return obliqueFrame(geometry, camera, size);
   const SliceAxes& axes = camera.axes();
   const int r = axes.right, d = axes.down, a = axes.across;
   // Voxels reach half a spacing beyond their centres.

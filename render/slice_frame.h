@@ -2,7 +2,10 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 #include "core/volume/volume.h"
+#include "render/oblique_plane.h"
 #include "render/slice_axes.h"
 
 namespace sonoskin {
@@ -12,12 +15,14 @@ namespace sonoskin {
 //   pan     mm that the picture is moved to the right and downward
 //   zoom    1: the whole slice just fits
 //   planes  how slices lie in the volume
+//   oblique the directions of a slice that lies otherwise; `plane` has no meaning then
 struct SliceCamera {
   Plane plane = Plane::axial;
   glm::dvec3 cursor{0};
   glm::dvec2 pan{0};
   double zoom = 1;
   PlaneAxes planes{};
+  std::optional<PlaneDirections> oblique{};
 
   const SliceAxes& axes() const { return planes[plane]; }
 };
@@ -33,7 +38,8 @@ struct SliceFrame {
   double millimetresPerPixel() const { return glm::length(right); }
 };
 
-// sliceFrame: the frame of a picture of `size` pixels; the slice of `geometry` is in its middle.
+// sliceFrame: the frame of a picture of `size` pixels; the slice of `geometry` is in its middle. An oblique one is as large
+// however it lies: zoom 1 has room for the volume's longest side.
 SliceFrame sliceFrame(const Geometry& geometry, const SliceCamera& camera, glm::ivec2 size);
 
 }  // namespace sonoskin

@@ -49,7 +49,7 @@ void setColoured(gl::Program& program, const std::string& prefix, int unit, cons
 
 void setCrossHair(gl::Program& program, const SliceViewInput& input, const SliceFrame& frame) {
   const glm::vec2 cursor(frame.toPixel(input.camera.cursor));
-  program.set("cursor", input.crossHair ? cursor : glm::vec2(-1e6f));
+  program.set("cursor", input.crossHair && !input.camera.oblique ? cursor : glm::vec2(-1e6f));
   // A line to the right marks the plane across the downward axis, and the other way round.
   const PlaneAxes& planes = input.camera.planes;
   const SliceAxes& axes = input.camera.axes();
@@ -60,7 +60,7 @@ void setCrossHair(gl::Program& program, const SliceViewInput& input, const Slice
 // The box in the picture: pixels from the left, top, right, bottom; nothing of it where the slice misses it.
 void setBox(gl::Program& program, const SliceViewInput& input, const SliceFrame& frame) {
   glm::vec4 box(-1e9f, -1e9f, 1e9f, 1e9f);
-  if (input.box) {
+  if (input.box && !input.camera.oblique) {
     const auto& [low, high] = *input.box;
     const int across = input.camera.axes().across;
     const double at = input.frame.toIndex(input.camera.cursor)[across];

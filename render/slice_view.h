@@ -21,8 +21,8 @@ namespace sonoskin {
 //   tint           as overlay, below it
 //   erased         may be null; of the frame's geometry; shown in `erasedColour` (sRGB) where it is not zero
 //   box            two corners in the world, the lowest and the highest along the frame's axes: lines at its sides, and
-//                  darker outside
-//   crossHair      the lines of the other two planes
+//                  darker outside; not in an oblique slice
+//   crossHair      the lines of the other two planes; not in an oblique slice
 struct SliceViewInput {
   const Geometry& frame;
   const SliceCamera& camera;

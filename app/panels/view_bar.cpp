@@ -174,6 +174,10 @@ void drawButtons(Workspace& workspace, const ShownPane& place, bool wide) {
   ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
                                             IM_COL32(6, 7, 9, 235), 4 * unit());
   ImGui::SetCursorPos({kMargin * unit(), kMargin * unit()});
+  if (place.pane == Pane::oblique) {
+    drawObliqueNumbers(workspace);
+    ImGui::SameLine(0, gap());
+  }
   if (place.pane == Pane::space)
     drawSpaceBar(workspace, wide);
   else
@@ -195,7 +199,8 @@ void drawMore(Workspace& workspace, const ShownPane& place, bool wide) {
 
 ImVec2 barSize(const ShownPane& place, bool wide) {
   const OverPicture dark;
-  const float width = place.pane == Pane::space ? spaceBarWidth(wide) : sliceBarWidth(wide);
+  float width = place.pane == Pane::space ? spaceBarWidth(wide) : sliceBarWidth(wide);
+  if (place.pane == Pane::oblique) width += obliqueNumbersWidth() + gap();
   return {width + 2 * kMargin * unit(), ImGui::GetFrameHeight() + 2 * kMargin * unit()};
 }
 

@@ -15,7 +15,8 @@ struct BoxInSlice {
 BoxInSlice boxInSlice(const Workspace& w, const ToolPane::Slice& slice) {
   const Geometry& g = w.session.scan().volume->geometry;
   const auto [low, high] = boxCorners(w.session.parameters().region, g);
-  const int across = w.view.planes[slice.plane].across;
+  if (!slice.plane) return {};
+  const int across = w.view.planes[*slice.plane].across;
   const double at = g.toIndex(w.view.cursor)[across];
   const glm::dvec2 a = slice.frame.toPixel(low), b = slice.frame.toPixel(high);
   return {glm::min(a, b), glm::max(a, b), at >= g.toIndex(low)[across] && at <= g.toIndex(high)[across]};
@@ -39,7 +40,7 @@ void dragSides(const Grip& grip, Workspace& w, const ToolPane& pane) {
     const int end = grows ? edge : -edge;
     moveSide({axis, end > 0}, (at[axis] - 0.5 * end) * g.spacing[axis], parameters.region, g);
   };
-  const SliceAxes& axes = w.view.planes[plane];
+  const SliceAxes& axes = w.view.planes[*plane];
   move(grip.right, axes.right, axes.rightGrows);
   move(grip.down, axes.down, axes.downGrows);
   if (parameters.region.cutLow != w.session.parameters().region.cutLow ||

@@ -14,7 +14,7 @@ namespace {
 
 // Names of the views for the interface: those that are compared are others.
 const char* nameOf(const Cell& cell) {
-  constexpr std::array<const char*, 4> kNames{"axial", "space", "sagittal", "coronal"};
+  constexpr std::array<const char*, 5> kNames{"axial", "space", "sagittal", "coronal", "oblique"};
   constexpr std::array<const char*, 3> kLayers{"raw", "classified", "thinned"};
   return cell.layer ? kLayers[std::size_t(*cell.layer)] : kNames[std::size_t(cell.pane)];
 }
@@ -23,8 +23,9 @@ double drawContent(FourUp& views, Workspace& workspace, const Cell& cell, const 
   if (cell.pane == Pane::space) return drawSpaceWindow(views.space, views.scans, workspace, pane);
   if (cell.cast) return drawCast((*views.casts)[std::size_t(*cell.layer)], views.scans, workspace, pane);
   const ShownSlice shown{cell.plane, cell.layer.value_or(workspace.view.layer), cell.layer.has_value()};
-  SliceWindow& window =
-      cell.layer ? views.compared[std::size_t(*cell.layer)] : views.slices[std::size_t(cell.plane)];
+  SliceWindow& window = cell.layer   ? views.compared[std::size_t(*cell.layer)]
+                        : cell.plane ? views.slices[std::size_t(*cell.plane)]
+                                     : views.oblique;
   drawSliceWindow(window, shown, views.sliceView, views.scans, workspace, pane);
   return -1;
 }
@@ -102,7 +103,9 @@ void makeCasts(FourUp& views, const Workspace& w) {
 Cells shownCells(const Workspace& w, ImVec2 corner, ImVec2 area) {
   const Cells cells = cellsOf(w.settings.layout, corner, area);
   if (!w.view.maximised) return cells;
-  Cell cell = *std::ranges::find(cells, *w.view.maximised, &Cell::pane);
+  const auto found = std::ranges::find(cells, *w.view.maximised, &Cell::pane);
+  if (found == cells.end()) return cells;  // a session of another layout
+  Cell cell = *found;
   cell.corner = corner;
   cell.size = area;
   return {cell};

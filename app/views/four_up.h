@@ -17,7 +17,8 @@ namespace sonoskin::ui {
 struct FourUp {
   GpuScans scans;
   std::optional<SliceView> sliceView;
-  std::array<SliceWindow, 3> slices;    // by Plane
+  std::array<SliceWindow, 3> slices;  // by Plane
+  SliceWindow oblique;
   std::array<SliceWindow, 3> compared;  // by SliceLayer
   SpaceWindow space;
   std::unique_ptr<std::array<SpaceWindow, 3>> casts;  // by SliceLayer, while they are compared

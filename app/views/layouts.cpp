@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "app/widgets/theme.h"
@@ -19,7 +20,8 @@ ImVec2 crossing(const LayoutState& layout, ImVec2 corner, ImVec2 area) {
           corner.y + std::floor(layout.down * (area.y - gap()))};
 }
 
-Plane planeOf(Pane pane) {
+SlicePlane planeOf(Pane pane) {
+  if (pane == Pane::oblique) return std::nullopt;
   return pane == Pane::sagittal ? Plane::sagittal : pane == Pane::coronal ? Plane::coronal : Plane::axial;
 }
 
@@ -61,36 +63,71 @@ void drawDivider(const Divider& divider, LayoutState& layout, ImVec2 corner, ImV
 
 }  // namespace
 
+namespace {
+
+Cells compareCells(const LayoutState& layout) {
+  Cells cells;
+  for (const Pane pane : {Pane::axial, Pane::sagittal, Pane::coronal})
+    cells.push_back({.pane = pane,
+                     .plane = layout.compared,
+                     .layer = SliceLayer(cells.size()),
+                     .cast = layout.layout == Layout::casts});
+  cells.push_back({.pane = Pane::space});
+  return cells;
+}
+
+Cells namedCells(std::span<const Pane> panes) {
+  Cells cells;
+  for (const Pane pane : panes) cells.push_back({.pane = pane, .plane = planeOf(pane)});
+  return cells;
+}
+
+Cells cellsIn(const LayoutState& layout) {
+  constexpr std::array<Pane, 5> kOblique{Pane::oblique, Pane::space, Pane::axial, Pane::coronal,
+                                         Pane::sagittal};
+  if (layout.layout == Layout::fourUp) return namedCells(kPanes);
+  return layout.layout == Layout::oblique ? namedCells(kOblique) : compareCells(layout);
+}
+
+// A row of cells from one side of the area to the other; the first two of four end at the divider.
+void placeRow(std::span<Cell> cells, ImVec2 corner, ImVec2 size, float divider) {
+  const auto count = cells.size();
+  float left = corner.x;
+  for (std::size_t n = 0; n < count; ++n) {
+    const float share = float(n + 1) / float(count);
+    const bool last = n + 1 == count;
+    const float right = last         ? corner.x + size.x
+                        : count == 2 ? divider
+                                     : corner.x + std::floor(share * (size.x + gap())) - gap();
+    cells[n].corner = {left, corner.y};
+    cells[n].size = {right - left, size.y};
+    left = right + gap();
+  }
+}
+
+}  // namespace
+
 Cells cellsOf(const LayoutState& layout, ImVec2 corner, ImVec2 area) {
   const ImVec2 cross = crossing(layout, corner, area);
-  const std::array<float, 2> x{corner.x, cross.x + gap()}, y{corner.y, cross.y + gap()};
-  const std::array<float, 2> width{cross.x - corner.x, corner.x + area.x - x[1]},
-      height{cross.y - corner.y, corner.y + area.y - y[1]};
-  constexpr std::array<Pane, 4> kCompared{Pane::axial, Pane::sagittal, Pane::coronal, Pane::space};
-  constexpr std::array<SliceLayer, 3> kLayers{SliceLayer::raw, SliceLayer::classified, SliceLayer::thinned};
-  const bool compares = layout.layout != Layout::fourUp;
-  Cells cells(4);
-  for (std::size_t n = 0; n < 4; ++n) {
-    Cell& cell = cells[n];
-    cell.pane = compares ? kCompared[n] : kPanes[n];
-    cell.corner = {x[n % 2], y[n / 2]};
-    cell.size = {width[n % 2], height[n / 2]};
-    cell.plane = compares ? layout.compared : planeOf(cell.pane);
-    if (!compares || cell.pane == Pane::space) continue;
-    cell.layer = kLayers[n];
-    cell.cast = layout.layout == Layout::casts;
-  }
+  Cells cells = cellsIn(layout);
+  const std::span<Cell> all(cells);
+  placeRow(all.first(2), corner, {area.x, cross.y - corner.y}, cross.x);
+  const float lower = cross.y + gap();
+  placeRow(all.subspan(2), {corner.x, lower}, {area.x, corner.y + area.y - lower}, cross.x);
   return cells;
 }
 
 void drawDividers(LayoutState& layout, ImVec2 corner, ImVec2 area) {
   const ImVec2 cross = crossing(layout, corner, area);
   const float wide = gap(), more = 3 * unit();
+  const bool toTheEnd = layout.layout != Layout::oblique;  // three views lie below it
   // Where they cross both are held.
   drawDivider(
       {"divider.both", {cross.x - more, cross.y - more}, {wide + 2 * more, wide + 2 * more}, true, true},
       layout, corner, area);
-  drawDivider({"divider.across", {cross.x, corner.y}, {wide, area.y}, true, false}, layout, corner, area);
+  drawDivider(
+      {"divider.across", {cross.x, corner.y}, {wide, toTheEnd ? area.y : cross.y - corner.y}, true, false},
+      layout, corner, area);
   drawDivider({"divider.down", {corner.x, cross.y}, {area.x, wide}, false, true}, layout, corner, area);
 }
 

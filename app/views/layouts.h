@@ -16,13 +16,14 @@ namespace sonoskin::ui {
 struct Cell {
   Pane pane = Pane::axial;
   ImVec2 corner{}, size{};
-  Plane plane = Plane::axial;  // of a slice
+  SlicePlane plane = Plane::axial;  // of a slice
   std::optional<SliceLayer> layer{};
   bool cast = false;
 };
 using Cells = std::vector<Cell>;
 
-// cellsOf: the four views of a layout, row by row, in an area of the screen, with room for the dividers between them.
+// cellsOf: the views of a layout, row by row, in an area of the screen, with room for the dividers between them. Four, or two
+// above three.
 Cells cellsOf(const LayoutState& layout, ImVec2 corner, ImVec2 area);
 
 // drawDividers: between the cells of an area; dragged they move, double clicked they go back to the middle.

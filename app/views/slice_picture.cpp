@@ -20,12 +20,20 @@ bool isTinted(const Workspace& w, const ShownSlice& shown) {
 
 Key pictureKey(const Workspace& w, const ShownSlice& shown, glm::ivec2 size) {
   const ViewState& v = w.view;
-  const SlicePose& pose = v.slices[std::size_t(shown.plane)];
+  const SlicePose& pose = poseOf(v, shown.plane);
   Hasher hasher("slice");
-  hasher.add(shown.plane).add(size.x).add(size.y).add(shown.layer).add(v.grey.level).add(v.grey.width);
+  hasher.add(shown.plane ? int(*shown.plane) : -1)
+      .add(size.x)
+      .add(size.y)
+      .add(shown.layer)
+      .add(v.grey.level)
+      .add(v.grey.width);
   hasher.add(pose.pan.x).add(pose.pan.y).add(pose.zoom);
   for (const SliceAxes& axes : v.planes.byPlane)
     hasher.add(axes.across).add(axes.right).add(axes.down).add(axes.rightGrows).add(axes.downGrows);
+  if (!shown.plane)
+    for (const glm::dvec3& along : {v.oblique.directions.right, v.oblique.directions.down})
+      hasher.add(along.x).add(along.y).add(along.z);
   hasher.add(v.cursor.x).add(v.cursor.y).add(v.cursor.z);
   hasher.add(marksVoxels(w, shown)).add(isTinted(w, shown)).add(v.cropBox).add(w.session.erased().key());
   addOptions(hasher, w.session.parameters().region);
@@ -36,7 +44,7 @@ Key pictureKey(const Workspace& w, const ShownSlice& shown, glm::ivec2 size) {
 const GpuVolume& shownVolume(GpuScans& scans, const Workspace& w, const ShownSlice& shown) {
   const Results& results = w.session.results();
   if (shown.layer == SliceLayer::classified && isAnswered(w, shown.plane)) {
-    const auto across = std::size_t(w.view.planes[shown.plane].across);
+    const auto across = std::size_t(w.view.planes[*shown.plane].across);
     scans.slices[across].set(results.slices[across]);
     return scans.slices[across];
   }
@@ -77,8 +85,9 @@ void redraw(SliceWindow& window, const ShownSlice& shown, SliceView& view, GpuSc
 
 }  // namespace
 
-bool isAnswered(const Workspace& w, Plane plane) {
-  const int axis = w.view.planes[plane].across;
+bool isAnswered(const Workspace& w, SlicePlane plane) {
+  if (!plane) return false;
+  const int axis = w.view.planes[*plane].across;
   const auto& slice = w.session.results().slices[std::size_t(axis)];
   return slice && std::abs(slice->geometry.toIndex(w.view.cursor)[axis]) < 0.5;
 }
@@ -93,9 +102,8 @@ void refreshSlice(SliceWindow& window, const ShownSlice& shown, std::optional<Sl
                   GpuScans& scans, Workspace& w, glm::ivec2 size) {
   if (w.view.catchingUp || !scans.ready) return;
   const Results& results = w.session.results();
-  const auto across = std::size_t(w.view.planes[shown.plane].across);
-  const bool others =
-      window.from.see({w.session.scan().volume, results.classified, results.thinned, results.slices[across]});
+  const auto answer = shown.plane ? results.slices[std::size_t(w.view.planes[*shown.plane].across)] : nullptr;
+  const bool others = window.from.see({w.session.scan().volume, results.classified, results.thinned, answer});
   const Key key = pictureKey(w, shown, size);
   if (!others && key == window.drawn) return;
   window.drawn = key;

@@ -5,7 +5,7 @@
 namespace sonoskin::ui {
 
 // isAnswered: whether a slider was answered in the slice itself before the volume is classified.
-bool isAnswered(const Workspace& workspace, Plane plane);
+bool isAnswered(const Workspace& workspace, SlicePlane plane);
 
 // isThere: whether there is what a layer shows.
 bool isThere(const Workspace& workspace, SliceLayer layer);

@@ -9,6 +9,7 @@
 #include "app/texts/texts.h"
 #include "app/views/edge_marks.h"
 #include "app/views/measure_marks.h"
+#include "app/views/oblique_marks.h"
 #include "app/views/slice_overlays.h"
 #include "app/views/slice_picture.h"
 #include "app/views/steering.h"
@@ -19,19 +20,21 @@
 namespace sonoskin::ui {
 namespace {
 
-ImVec4 colourOf(Plane plane) {
+ImVec4 colourOf(SlicePlane plane) {
   const std::array<ImVec4, 3> colours{kSagittal, kCoronal, kAxial};
-  return colours[std::size_t(plane)];
+  return plane ? colours[std::size_t(*plane)] : kOblique;
 }
 
 std::string nameOf(const ViewFrame& frame, const ShownSlice& shown) {
-  const std::string plane = tr(planeName(frame, shown.plane));
+  const std::string plane = shown.plane ? tr(planeName(frame, *shown.plane)) : tr("Oblique");
   if (!shown.compared) return plane;
   return fmt::format("{}   {}", tr(layerName(shown.layer)), plane);
 }
 
 // Where the slice lies: counted along its axis, and where that is in the world or from the probe.
-std::string placeText(const Workspace& w, const ViewFrame& frame, Plane plane) {
+std::string placeText(const Workspace& w, const ViewFrame& frame, SlicePlane shown) {
+  if (!shown) return {};  // its angles stand in its bar
+  const Plane plane = *shown;
   const Geometry& g = w.session.scan().volume->geometry;
   const SliceAxes& axes = w.view.planes[plane];
   const int last = g.dims[axes.across];
@@ -93,6 +96,7 @@ void drawSliceWindow(SliceWindow& window, const ShownSlice& shown, std::optional
   }
   if (!shown.compared) drawOverlays(window, workspace, seen().slice->frame, pane);
   drawMeasuresInSlice(pane, workspace, seen().slice->frame);
+  drawPlaneLines(window.tools, workspace, seen());
   drawTool(window.tools, workspace, seen());
   drawMarks(pane, workspace, shown);
 }

@@ -15,7 +15,7 @@ namespace sonoskin::ui {
 // ShownSlice: what a slice view is of.
 //   compared  with others: its layer alone, without anything over it
 struct ShownSlice {
-  Plane plane = Plane::axial;
+  SlicePlane plane = Plane::axial;
   SliceLayer layer = SliceLayer::raw;
   bool compared = false;
 };

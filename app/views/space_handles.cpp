@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "app/views/plane_cut.h"
 #include "app/views/projection.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -63,31 +65,13 @@ void drawHandle(const glm::vec2& place, bool lit) {
   list.AddCircle(middle, (lit ? 1.5f : 1) * kRadius * unit(), IM_COL32(10, 12, 15, 220), 0, 1.2f * unit());
 }
 
-// The corners of a plane's cut through a box, in order around it.
-std::vector<glm::vec3> cutCorners(const Box& box, const ClipPlane& plane) {
-  std::vector<glm::vec3> corners;
-  const auto cornerOf = [&](int n) { return glm::mix(box.min, box.max, glm::bvec3(n & 1, n & 2, n & 4)); };
-  for (int n = 0; n < 8; ++n)
-    for (const int axis : {1, 2, 4}) {
-      if (n & axis) continue;
-      const glm::vec3 a = cornerOf(n), b = cornerOf(n | axis);
-      const float toA = glm::dot(plane.normal, a) + plane.offset,
-                  toB = glm::dot(plane.normal, b) + plane.offset;
-      if (toA * toB < 0) corners.push_back(glm::mix(a, b, toA / (toA - toB)));
-    }
-  glm::vec3 middle(0);
-  for (const glm::vec3& corner : corners) middle += corner / float(corners.size());
-  const glm::vec3 u = rightOf(plane.normal, {0.3f, 0.5f, 0.8f}), v = glm::cross(plane.normal, u);
-  std::ranges::sort(corners, {}, [&](const glm::vec3& corner) {
-    return std::atan2(glm::dot(corner - middle, v), glm::dot(corner - middle, u));
-  });
-  return corners;
-}
-
 void drawOutline(const Workspace& w, const PaneInput& pane) {
   std::vector<ImVec2> line;
   const Box box = worldBox(w.session.scan().volume->geometry);
-  for (const glm::vec3& corner : cutCorners(box, w.view.clip.plane))
+  std::array<glm::vec3, 8> corners;
+  for (int n = 0; n < 8; ++n)
+    corners[std::size_t(n)] = glm::mix(box.min, box.max, glm::bvec3(n & 1, n & 2, n & 4));
+  for (const glm::vec3& corner : cutCorners(corners, w.view.clip.plane))
     if (const auto seen = seenAt(corner, w.view.camera, pane)) line.emplace_back(seen->x, seen->y);
   ImVec4 colour = kWarning;
   colour.w = 0.5f;

@@ -9,6 +9,7 @@
 #include "app/views/box_lines.h"
 #include "app/views/cross_hair_marks.h"
 #include "app/views/measure_marks.h"
+#include "app/views/oblique_marks.h"
 #include "app/views/skin_marks.h"
 #include "app/views/space_handles.h"
 #include "app/views/space_picture.h"
@@ -79,6 +80,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
     drawBoxLines(pane, workspace);
     drawCropHandles(window.tools, workspace, pane);
   }
+  drawObliqueInSpace(pane, workspace);
   if (workspace.view.clip.on) drawClipHandle(window.tools, workspace, pane);
   if (skin) drawSkinMarks(window.tools, workspace, pane);
   if (view.crossHairInSpace) {

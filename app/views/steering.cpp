@@ -9,13 +9,17 @@
 namespace sonoskin::ui {
 namespace {
 
-void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& turns, const PaneInput& pane) {
-  SlicePose& pose = view.slices[std::size_t(plane)];
+void turnWheel(ViewState& view, SlicePlane plane, const Geometry& geometry, double& turns,
+               const PaneInput& pane) {
+  SlicePose& pose = poseOf(view, plane);
   if (!pane.control) {
     turns += double(pane.wheel);
     const double whole = std::trunc(turns);
     turns -= whole;
-    stepCursor(view, geometry, plane, {0, 0, int(whole)});
+    if (plane)
+      stepCursor(view, geometry, *plane, {0, 0, int(whole)});
+    else
+      stepOblique(view, geometry, {0, 0, whole});
     return;
   }
   // The point under the mouse stays where it is.
@@ -29,16 +33,26 @@ void turnWheel(ViewState& view, Plane plane, const Geometry& geometry, double& t
 
 }  // namespace
 
-SliceCamera cameraOf(const ViewState& view, Plane plane) {
-  const SlicePose& pose = view.slices[std::size_t(plane)];
-  return {plane, view.cursor, pose.pan, pose.zoom, view.planes};
+SlicePose& poseOf(ViewState& view, SlicePlane plane) {
+  return plane ? view.slices[std::size_t(*plane)] : view.oblique.pose;
 }
 
-SliceFrame frameOf(const ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
+const SlicePose& poseOf(const ViewState& view, SlicePlane plane) {
+  return plane ? view.slices[std::size_t(*plane)] : view.oblique.pose;
+}
+
+SliceCamera cameraOf(const ViewState& view, SlicePlane plane) {
+  const SlicePose& pose = poseOf(view, plane);
+  SliceCamera camera{plane.value_or(Plane::axial), view.cursor, pose.pan, pose.zoom, view.planes};
+  if (!plane) camera.oblique = view.oblique.directions;
+  return camera;
+}
+
+SliceFrame frameOf(const ViewState& view, SlicePlane plane, const Geometry& geometry, const PaneInput& pane) {
   return sliceFrame(geometry, cameraOf(view, plane), glm::ivec2(pane.size));
 }
 
-void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& turns,
+void steerSlice(ViewState& view, SlicePlane plane, const Geometry& geometry, double& turns,
                 const PaneInput& pane) {
   if (pane.wheel != 0) turnWheel(view, plane, geometry, turns, pane);
   if (pane.button < 0) return;
@@ -48,20 +62,21 @@ void steerSlice(ViewState& view, Plane plane, const Geometry& geometry, double& 
     view.grey.width = std::clamp(view.grey.width + moved.x * 0.004f, 0.02f, 2.0f);
     view.grey.level = std::clamp(view.grey.level + moved.y * 0.003f, 0.0f, 1.0f);
   } else if (pane.button == ImGuiMouseButton_Middle || pane.shift) {
-    view.slices[std::size_t(plane)].pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
+    poseOf(view, plane).pan += glm::dvec2(pane.moved) * frame.millimetresPerPixel();
   } else {
-    view.cursor = onVoxel(geometry, frame.toWorld(glm::dvec2(pane.mouse)));
+    const glm::dvec3 at = frame.toWorld(glm::dvec2(pane.mouse));
+    view.cursor = plane ? onVoxel(geometry, at) : inVolume(geometry, at);  // the plane stays where it is
   }
 }
 
-void linkZoom(ViewState& view, Plane plane, const Geometry& geometry, const PaneInput& pane) {
+void linkZoom(ViewState& view, SlicePlane plane, const Geometry& geometry, const PaneInput& pane) {
   if (!view.linkedZoom || view.maximised) {
     view.linkedScale = 0;
     return;
   }
   const double now = frameOf(view, plane, geometry, pane).millimetresPerPixel();
   if (view.linkedScale == 0 && view.pointedAt == plane) view.linkedScale = now;
-  if (view.linkedScale > 0) view.slices[std::size_t(plane)].zoom *= now / view.linkedScale;
+  if (view.linkedScale > 0) poseOf(view, plane).zoom *= now / view.linkedScale;
 }
 
 bool steer(Camera& camera, const PaneInput& pane) {

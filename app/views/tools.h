@@ -19,7 +19,7 @@ namespace sonoskin::ui {
 //   slice  which slice it shows, and how; none in 3D
 struct ToolPane {
   struct Slice {
-    Plane plane = Plane::axial;
+    SlicePlane plane = Plane::axial;
     SliceFrame frame;
   };
   PaneInput input;
@@ -55,6 +55,7 @@ struct ToolState {
     Side side;
     double beyond = 0;
   } drag;
+  double obliqueAt = 0;  // of the oblique plane's line: where the mouse was around the cross-hair, radians
 };
 
 // use...: one frame of a tool that can be used; those that keep the button set `held`.
@@ -95,6 +96,9 @@ void letGoLampTool(ToolState& state, Workspace& workspace, const ToolPane& pane)
 PaneInput useCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void letGoCropBoxTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void drawCropBoxTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
+
+// Left turns the oblique plane about the cross-hair, where it takes an end of the plane's line in another slice.
+PaneInput useObliqueTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 
 // In 3D, left drags the handle in the middle of a side of the crop box, or that of the clip plane, along its normal.
 PaneInput useCropFaces(ToolState& state, Workspace& workspace, const ToolPane& pane);

@@ -30,6 +30,7 @@ struct ToolRow {
 
 bool showsBox(const Workspace& w) { return w.view.cropBox; }
 bool clips(const Workspace& w) { return w.view.clip.on; }
+bool showsOblique(const Workspace& w) { return w.settings.layout.layout == Layout::oblique; }
 bool always(const Workspace&) { return true; }
 PaneInput steerAlone(ToolState&, Workspace&, const ToolPane& pane) { return pane.input; }
 
@@ -37,7 +38,7 @@ constexpr ToolInPane kNothing{}, kSteering{steerAlone}, kLandmark{useLandmarkToo
     kEraser{useEraser, letGoEraser, drawEraser}, kLasso{useLasso, letGoLasso, drawLasso},
     kMeasure{useMeasureTool, letGoMeasureTool}, kParts{usePartTool, letGoPartTool, drawPartTool},
     kLamp{useLampTool, letGoLampTool}, kBox{useCropBoxTool, letGoCropBoxTool, drawCropBoxTool},
-    kFaces{useCropFaces, letGoCropBoxTool}, kClip{useClipTool};
+    kFaces{useCropFaces, letGoCropBoxTool}, kClip{useClipTool}, kOblique{useObliqueTool};
 
 // clang-format off
 constexpr std::array<ToolRow, kTools.size()> kRows{{
@@ -49,6 +50,7 @@ constexpr std::array<ToolRow, kTools.size()> kRows{{
     {Tool::parts,    false, showsParts, kNothing,  kParts,    true},
     {Tool::lamp,     false, wantsSkin,  kNothing,  kLamp},
     {Tool::clipPlane,false, clips,      kNothing,  kClip},
+    {Tool::oblique,  false, showsOblique, kOblique,  kNothing},
     {Tool::cropBox,  false, showsBox,   kBox,      kFaces},
     {Tool::crossHair, false, always,    kSteering, kSteering},
 }};
@@ -70,10 +72,6 @@ bool isUsable(const ToolRow& row, const Workspace& w, PaneKind kind) {
 
 const ToolRow& firstRow(const Workspace& w, PaneKind kind) {
   return *std::ranges::find_if(kRows, [&](const ToolRow& row) { return isUsable(row, w, kind); });
-}
-
-const ToolInPane& toolNow(const ToolState& state, const Workspace& w, PaneKind kind) {
-  return inPane(state.held ? rowOf(*state.held) : firstRow(w, kind), kind);
 }
 
 // What is left of the mouse. A tool that is not chosen and does not take the button leaves it to those after it.
@@ -113,7 +111,13 @@ void useTool(ToolState& state, Workspace& workspace, const ToolPane& pane) {
 }
 
 void drawTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane) {
-  if (const auto draw = toolNow(state, workspace, kindOf(pane)).draw) draw(state, workspace, pane);
+  const PaneKind kind = kindOf(pane);
+  for (const ToolRow& row : kRows) {
+    const bool has = state.held ? row.tool == *state.held : isUsable(row, workspace, kind);
+    if (!has) continue;
+    if (const auto draw = inPane(row, kind).draw) return draw(state, workspace, pane);
+    if (state.held || row.chosen) return;
+  }
 }
 
 bool takesDoubleClicks(const Workspace& workspace, PaneKind kind) {

@@ -16,6 +16,7 @@ inline const ImVec4 kFailure{0.93f, 0.45f, 0.42f, 1};
 inline const ImVec4 kAxial{0.88f, 0.35f, 0.20f, 1};
 inline const ImVec4 kSagittal{0.94f, 0.87f, 0.36f, 1};
 inline const ImVec4 kCoronal{0.12f, 0.68f, 0.53f, 1};
+inline const ImVec4 kOblique{0.75f, 0.56f, 0.95f, 1};
 inline const ImVec4 kSurface{0.45f, 0.62f, 0.90f, 1};
 
 // Colours: of panels, menus and windows in the appearance in use, sRGB.

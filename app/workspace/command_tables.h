@@ -12,11 +12,12 @@ std::span<const Command> viewCommands();
 std::span<const Command> lookCommands();      // theme and scale, in the menu of the views
 std::span<const Command> languageCommands();  // in the same menu
 std::span<const Command> stepCommands();
-std::span<const Command> layoutCommands();  // in the menu of the views, as the next four
+std::span<const Command> layoutCommands();  // in the menu of the views, as the next five
 std::span<const Command> planeCommands();
 std::span<const Command> sliceCommands();
 std::span<const Command> measureCommands();
 std::span<const Command> clipCommands();
+std::span<const Command> obliqueCommands();
 std::span<const Command> regionCommands();
 std::span<const Command> surfaceCommands();
 std::span<const Command> helpCommands();

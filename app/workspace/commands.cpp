@@ -18,8 +18,8 @@ namespace {
 std::vector<Command> allCommands() {
   std::vector<Command> all;
   for (const auto table : {fileCommands, editCommands, viewCommands, layoutCommands, planeCommands,
-                           sliceCommands, measureCommands, clipCommands, lookCommands, languageCommands,
-                           stepCommands, regionCommands, surfaceCommands, helpCommands})
+                           sliceCommands, measureCommands, clipCommands, obliqueCommands, lookCommands,
+                           languageCommands, stepCommands, regionCommands, surfaceCommands, helpCommands})
     all.insert(all.end(), table().begin(), table().end());
   return all;
 }

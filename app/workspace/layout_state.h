@@ -10,8 +10,9 @@ namespace sonoskin {
 //   fourUp   the three planes and 3D
 //   compare  one plane's slice raw, classified and thinned, and 3D, for the iso-surface of the classified volume
 //   casts    the same ray-cast raw, classified and thinned, and 3D, with one camera for all
-enum class Layout { fourUp, compare, casts };
-constexpr std::array<const char*, 3> enumNames(Layout) { return {"four-up", "compare", "casts"}; }
+//   oblique  a slice that can be turned, and 3D, above the three planes
+enum class Layout { fourUp, compare, casts, oblique };
+constexpr std::array<const char*, 4> enumNames(Layout) { return {"four-up", "compare", "casts", "oblique"}; }
 
 // LayoutState: how the views lie, which the window remembers.
 //   across, down  where the dividers are, as shares of the width and of the height; 0.15 to 0.85

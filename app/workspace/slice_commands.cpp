@@ -14,7 +14,11 @@ using W = Workspace;
 
 template <int right, int down, int across>
 void step(W& w) {
-  stepCursor(w.view, w.session.scan().volume->geometry, w.view.pointedAt, {right, down, across});
+  const Geometry& geometry = w.session.scan().volume->geometry;
+  if (w.view.pointedAt)
+    stepCursor(w.view, geometry, *w.view.pointedAt, {right, down, across});
+  else
+    stepOblique(w.view, geometry, {right, down, across});
 }
 
 bool isCtScan(const W& w) { return hasScan(w) && isCt(w.session.scan()); }

@@ -18,7 +18,9 @@ constexpr std::array<const char*, 2> enumNames(VolumeLayer) { return {"raw", "cl
 constexpr std::array<const char*, 2> enumNames(SpaceContent) { return {"volume", "mesh"}; }
 constexpr std::array<const char*, 3> enumNames(VolumeStyle) { return {"surface", "translucent", "maximum"}; }
 constexpr std::array<const char*, 2> enumNames(MeshStyle) { return {"clay", "skin"}; }
-constexpr std::array<const char*, 4> enumNames(Pane) { return {"axial", "space", "sagittal", "coronal"}; }
+constexpr std::array<const char*, 5> enumNames(Pane) {
+  return {"axial", "space", "sagittal", "coronal", "oblique"};
+}
 constexpr std::array<const char*, 3> enumNames(SkinCompare) { return {"off", "scatter", "settings"}; }
 
 template <class F, class O>
@@ -26,6 +28,14 @@ requires OptionsOf<O, SlicePose>
 void fields(F&& f, O& o) {
   f("pan", o.pan);
   f("zoom", o.zoom, Range{0.01, 1000.0});
+}
+
+template <class F, class O>
+requires OptionsOf<O, ObliqueShow>
+void fields(F&& f, O& o) {
+  f("right", o.directions.right, Range{-1.0, 1.0});
+  f("down", o.directions.down, Range{-1.0, 1.0});
+  f("pose", o.pose);
 }
 
 template <class F, class O>
@@ -122,6 +132,7 @@ void fields(F&& f, O& o) {
   f("cropBox", o.cropBox);
   f("slices", o.slices);
   f("orientation", o.orientation);
+  f("oblique", o.oblique);
   f("measures", o.measures);
   f("linkedZoom", o.linkedZoom);
   f("classifiedTint", o.classifiedTint);

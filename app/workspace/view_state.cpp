@@ -53,6 +53,10 @@ void turnView(ViewState& view, const ViewFrame& frame, Plane plane) {
   view.cameraMoved = true;
 }
 
+void resetOblique(ViewState& view, const Geometry& geometry) {
+  view.oblique = {directionsOf(geometry, view.planes[Plane::axial])};
+}
+
 void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
   if (!scan.volume) return;
   const Geometry& g = scan.volume->geometry;
@@ -66,6 +70,7 @@ void resetView(ViewState& view, const Scan& scan, const Beam& beam) {
   view.turntable = false;
   const ViewFrame frame = viewFrameOf(scan, beam, view.orientation);
   view.planes = planeAxes(g, frame);
+  resetOblique(view, g);
   resetCamera(view, frame, worldBox(g));
 }
 

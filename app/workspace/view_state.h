@@ -29,8 +29,8 @@ enum class VolumeLayer { raw, classified };
 enum class SpaceContent { volume, mesh };
 enum class MeshStyle { clay, skin };
 
-// Pane: one of the four views.
-enum class Pane { axial, space, sagittal, coronal };
+// Pane: one of the views.
+enum class Pane { axial, space, sagittal, coronal, oblique };
 // As 3D Slicer has them: row by row.
 inline constexpr std::array<Pane, 4> kPanes{Pane::axial, Pane::space, Pane::coronal, Pane::sagittal};
 
@@ -38,6 +38,15 @@ inline constexpr std::array<Pane, 4> kPanes{Pane::axial, Pane::space, Pane::coro
 struct SlicePose {
   glm::dvec2 pan{0};
   double zoom = 1;
+};
+
+// SlicePlane: which slice a view shows: one of the three planes, or none of them: the oblique one.
+using SlicePlane = std::optional<Plane>;
+
+// ObliqueShow: the slice that can be turned; it goes through the cross-hair.
+struct ObliqueShow {
+  PlaneDirections directions;
+  SlicePose pose{.pan = {0, 0}, .zoom = 0.92};
 };
 
 // SkinCompare: what the skin view's two halves show: one picture over both; without and with light that spreads below
@@ -80,17 +89,18 @@ struct ViewState {
   GreyWindow grey;       // of the raw slices
   SliceLayer layer = SliceLayer::raw;
   bool surfaceVoxels = true;
-  bool cropBox = true;              // its lines in all views
-  std::array<SlicePose, 3> slices;  // by Plane
-  Orientation orientation;          // of this document, as the person has it
-  PlaneAxes planes;                 // what follows from it and the scan; the views bring it up to date
-  Plane pointedAt = Plane::axial;   // whose slice the mouse was over last: arrow keys are its
-  bool linkedZoom = false;          // all slices have as many mm per pixel
-  double linkedScale = 0;           // that many; 0: as many as the slice that the mouse was over last
-  bool classifiedTint = false;      // the classified volume in colour over raw slices
-  bool slicePoints = false;         // the surface points that lie in a slice
-  bool meshContour = true;          // where the surface meets a slice
-  bool crossHairInSpace = true;     // its place and lines in 3D
+  bool cropBox = true;                  // its lines in all views
+  std::array<SlicePose, 3> slices;      // by Plane
+  Orientation orientation;              // of this document, as the person has it
+  PlaneAxes planes;                     // what follows from it and the scan; the views bring it up to date
+  SlicePlane pointedAt = Plane::axial;  // whose slice the mouse was over last: arrow keys are its
+  ObliqueShow oblique;
+  bool linkedZoom = false;       // all slices have as many mm per pixel
+  double linkedScale = 0;        // that many; 0: as many as the slice that the mouse was over last
+  bool classifiedTint = false;   // the classified volume in colour over raw slices
+  bool slicePoints = false;      // the surface points that lie in a slice
+  bool meshContour = true;       // where the surface meets a slice
+  bool crossHairInSpace = true;  // its place and lines in 3D
 
   std::vector<Measure> measures;
   std::optional<Measure> measureBegun;  // that is being set
@@ -149,6 +159,8 @@ std::array<glm::vec3, 2> cropTo(const Box& box, const Geometry& geometry, float 
 // alone.
 void resetView(ViewState& view, const Scan& scan, const Beam& beam);
 void resetCamera(ViewState& view, const ViewFrame& frame, const Box& box);
+// resetOblique: as the axial plane.
+void resetOblique(ViewState& view, const Geometry& geometry);
 // turnView: turns what the slices of a plane show clockwise by a quarter, and with it all views.
 void turnView(ViewState& view, const ViewFrame& frame, Plane plane);
 // turnCamera: the camera is turned about what it looks at by what has come to the frame's turn.

@@ -30,7 +30,7 @@ class Layouts : public ImGuiTest {
 
 TEST_F(Layouts, CellsFillTheAreaAndDoNotOverlap) {
   for (const float share : {0.15f, 0.5f, 0.7f})
-    for (const Layout kind : {Layout::fourUp, Layout::compare, Layout::casts}) {
+    for (const Layout kind : {Layout::fourUp, Layout::compare, Layout::casts, Layout::oblique}) {
       layout = {kind, share, 1 - share, Plane::coronal};
       const Cells cells = cellsOf(layout, corner, area);
       const float gap = cells[1].corner.x - cells[0].corner.x - cells[0].size.x;
@@ -38,8 +38,10 @@ TEST_F(Layouts, CellsFillTheAreaAndDoNotOverlap) {
       EXPECT_LT(gap, 8);
       EXPECT_FLOAT_EQ(cells[0].size.x + gap + cells[1].size.x, area.x);
       EXPECT_FLOAT_EQ(cells[0].size.y + gap + cells[2].size.y, area.y);
-      EXPECT_FLOAT_EQ(cells[3].corner.x + cells[3].size.x, corner.x + area.x);
-      EXPECT_FLOAT_EQ(cells[3].corner.y + cells[3].size.y, corner.y + area.y);
+      EXPECT_FLOAT_EQ(cells.back().corner.x + cells.back().size.x, corner.x + area.x);
+      EXPECT_FLOAT_EQ(cells.back().corner.y + cells.back().size.y, corner.y + area.y);
+      for (std::size_t n = 3; n < cells.size(); ++n)
+        EXPECT_NEAR(cells[n].corner.x - cells[n - 1].corner.x - cells[n - 1].size.x, gap, 1e-3);
       EXPECT_NEAR(cells[0].size.x / area.x, share, 0.01);
     }
 }
@@ -63,6 +65,16 @@ TEST_F(Layouts, RayCastsThatAreComparedLieBesideTheSurface) {
   }
   EXPECT_EQ(cells[3].pane, Pane::space);
   EXPECT_FALSE(cells[3].cast);
+}
+
+TEST_F(Layouts, AnObliqueSliceLiesAboveTheThreePlanes) {
+  layout = {Layout::oblique, 0.5f, 0.5f, Plane::axial};
+  const Cells cells = cellsOf(layout, corner, area);
+  ASSERT_EQ(cells.size(), 5u);
+  EXPECT_EQ(cells[0].pane, Pane::oblique);
+  EXPECT_FALSE(cells[0].plane);
+  EXPECT_EQ(cells[1].pane, Pane::space);
+  EXPECT_EQ(cells[4].plane, Plane::sagittal);
 }
 
 TEST_F(Layouts, DividersFollowTheMouseAndADoubleClickBringsThemBack) {
