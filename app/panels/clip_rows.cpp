@@ -16,7 +16,7 @@ namespace sonoskin::ui {
 namespace {
 
 void drawDepth(Workspace& workspace) {
-  beginRow(tr("Place"));
+  beginRow(tr("Position"));
   const auto [least, most] = clipRange(workspace);
   float at = std::round(10 * clipDepth(workspace)) / 10 + 0.0f;  // 0, not -0
   ImGui::SetNextItemWidth(-1);

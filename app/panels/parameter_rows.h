@@ -27,7 +27,7 @@ template <class Options>
 FieldsEdit groupRows(const char* title, std::string_view group, Options& options, const Rows& rows) {
   FieldsEdit edit;
   heading(title);
-  if (!beginFields(title)) return edit;
+  if (!beginFields(std::string(group).c_str())) return edit;
   edit = editFields(group, options, rows);
   endFields();
   return edit;

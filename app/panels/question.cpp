@@ -48,7 +48,7 @@ void drawLostVolume(Workspace& w) {
   if (!w.lostVolume || w.files.purpose) return;
   const std::string title = std::string(tr("The session's volume")) + "###lost";
   const auto choose = [&w] { w.files.ask(FilePurpose::findVolume, w.settings.folder, ""); };
-  drawQuestionBox({title.c_str(), trf("{}. Choose the file, please.", w.lostVolume->why)},
+  drawQuestionBox({title.c_str(), trf("{}. Choose the file, please.", trSentence(w.lostVolume->why))},
                   {{tr("Choose..."), "lost.choose", choose},
                    {tr("Cancel"), "lost.cancel", [&w] { w.lostVolume.reset(); }}});
 }

@@ -68,7 +68,7 @@ FieldsEdit drawSkin(Parameters& p) {
 }
 
 FieldsEdit drawLight(Parameters& p) {
-  heading(tr("Light"));
+  heading(tr("Lighting"));
   FieldsEdit edit = drawRows("light", "light", p.light, {kLight, false, useOf(p, "light")});
   if (foldout("More light",
               "Where the light is, how soft, and the other lights. The lamp in the view can be dragged."))

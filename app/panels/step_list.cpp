@@ -64,7 +64,7 @@ void explain(const Stage& stage) {
   ImGui::TextUnformatted(stepHelp(stage.step));
   ImGui::TextDisabled("%s%s%s", stageWord(stage.state), stage.number.empty() ? "" : ", ",
                       stage.number.c_str());
-  ImGui::TextDisabled("Ctrl+%d", int(stage.step) + 1);
+  ImGui::TextDisabled("%s%d", tr("Ctrl+"), int(stage.step) + 1);
   ImGui::EndTooltip();
 }
 

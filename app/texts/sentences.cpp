@@ -39,11 +39,16 @@ std::optional<std::vector<std::string_view>> standingIn(std::string_view sentenc
   return standing;
 }
 
+// What stands in a place may be words, but names of one word are names.
+std::string saidOf(std::string_view standing) {
+  return standing.find(' ') == standing.npos ? std::string(standing) : trSentence(standing);
+}
+
 std::string filled(std::string_view text, const std::vector<std::string_view>& standing) {
   const std::vector<std::string_view> pieces = piecesOf(text);
   std::string result(pieces.front());
   for (std::size_t n = 1; n < pieces.size(); ++n) {
-    if (n <= standing.size()) result += standing[n - 1];
+    if (n <= standing.size()) result += saidOf(standing[n - 1]);
     result += pieces[n];
   }
   return result;

@@ -2,6 +2,10 @@
 
 namespace sonoskin {
 
-std::array<std::span<const Text>, 1> textTables() { return {commonTexts()}; }
+std::array<std::span<const Text>, 15> textTables() {
+  return {commonTexts(),  commandTexts(), stepTexts(),      panelTexts(),  widgetTexts(),
+          helpTexts(),    fileTexts(),    parameterNames(), choiceTexts(), foundHelps(),
+          surfaceHelps(), skinHelps(),    scanHelps(),      useTexts(),    messageTexts()};
+}
 
 }  // namespace sonoskin

@@ -38,8 +38,8 @@ std::string caption(const SpaceWindow& window, const Workspace& w) {
   if (showsParts(w)) return partCaption(w);
   if (showsMesh(w)) return meshCaption(window, w);
   const bool raw = v.volumeLayer == VolumeLayer::raw;
-  const char* layer = raw ? "raw" : w.session.classifiedIsCoarse() ? "coarse" : "classified";
-  return trf("{}, level {:.2f}", tr(layer), shownLevel(v, w.session.results()));
+  const char* layer = tr(raw ? "raw" : w.session.classifiedIsCoarse() ? "coarse" : "classified");
+  return trf("{}, level {:.2f}", layer, shownLevel(v, w.session.results()));
 }
 
 // The turntable, while nothing else has the mouse; whether it has turned.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/texts/texts.h"
 #include "app/workspace/command_tables.h"
 #include "app/workspace/workspace.h"
 
@@ -78,10 +79,10 @@ bool runShortcut(const Shortcut& shortcut, Workspace& workspace) {
 
 std::string shortcutText(const Shortcut& shortcut) {
   if (shortcut.key == 0) return {};
-  std::string text = shortcut.control ? "Ctrl+" : "";
-  if (shortcut.shift) text += "Shift+";
+  std::string text = shortcut.control ? tr("Ctrl+") : "";
+  if (shortcut.shift) text += tr("Shift+");
   if (const auto named = std::ranges::find(kKeyNames, shortcut.key, &KeyName::key); named != kKeyNames.end())
-    return text + named->name;
+    return text + tr(named->name);
   if (shortcut.key >= GLFW_KEY_F1 && shortcut.key <= GLFW_KEY_F25)
     return text + "F" + std::to_string(shortcut.key - GLFW_KEY_F1 + 1);
   return text + static_cast<char>(shortcut.key);  // letters and digits are their own codes
