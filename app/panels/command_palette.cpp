@@ -69,6 +69,14 @@ bool drawLine(const PaletteEntry& entry, bool chosen) {
   return clicked;
 }
 
+// Of the longest that any command has, so that nothing moves as one types.
+float keyWidth() {
+  float width = 0;
+  for (const Command& c : commands())
+    width = std::max(width, ImGui::CalcTextSize(shortcutText(c.shortcut).c_str()).x);
+  return width + 1;
+}
+
 // The list; the entry that was clicked, if any. `follow`: the chosen line comes into sight.
 const PaletteEntry* drawList(const std::vector<PaletteEntry>& found, std::size_t chosen, bool follow) {
   if (found.empty()) {
@@ -80,7 +88,7 @@ const PaletteEntry* drawList(const std::vector<PaletteEntry>& found, std::size_t
   if (!ImGui::BeginTable("found", 3, ImGuiTableFlags_ScrollY, {0, rows * line + 2 * unit()})) return nullptr;
   ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthStretch, 3);
   ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 1.2f);
-  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 100 * unit());
+  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, keyWidth());
   const PaletteEntry* clicked = nullptr;
   for (std::size_t n = 0; n < found.size(); ++n) {
     if (drawLine(found[n], n == chosen)) clicked = &found[n];

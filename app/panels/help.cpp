@@ -18,8 +18,9 @@ namespace sonoskin::ui {
 namespace {
 
 // What a hand does somewhere, and what that does.
+//   id  for tests, the same in all languages
 struct HelpLine {
-  std::string where, what, effect;
+  std::string where, what, effect, id = {};
 };
 
 std::vector<HelpLine> mouseLines() {
@@ -55,7 +56,8 @@ std::vector<HelpLine> mouseLines() {
       {"Window", "Tab", "the side panel: arrows, Enter or space; Escape"},
   };
   for (HelpLine& line : lines)
-    line = {tr(line.where.c_str()), tr(line.what.c_str()), tr(line.effect.c_str())};
+    line = {tr(line.where.c_str()), tr(line.what.c_str()), tr(line.effect.c_str()),
+            line.what + "." + line.effect};
   return lines;
 }
 
@@ -63,8 +65,8 @@ std::vector<HelpLine> keyLines() {
   std::vector<HelpLine> lines;
   for (const Command& command : commands()) {
     if (command.shortcut.key == 0) continue;
-    lines.push_back(
-        {tr(kMenuTitles[std::size_t(command.menu)]), shortcutText(command.shortcut), commandTitle(command)});
+    lines.push_back({tr(kMenuTitles[std::size_t(command.menu)]), shortcutText(command.shortcut),
+                     commandTitle(command), command.id});
   }
   return lines;
 }
@@ -75,12 +77,18 @@ void keepFitting(std::vector<HelpLine>& lines, const std::string& words) {
   });
 }
 
+float placeWidth(std::span<const HelpLine> lines) {
+  float width = 0;
+  for (const HelpLine& line : lines) width = std::max(width, ImGui::CalcTextSize(line.where.c_str()).x);
+  return width + 1;
+}
+
 // Lines in a table; a place is named where it begins.
 //   what  how wide the middle column is, without scale
 void drawLines(const char* id, std::span<const HelpLine> lines, float what) {
   ImGui::TableNextColumn();
   if (!ImGui::BeginTable(id, 3)) return;
-  ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, 56 * unit());
+  ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, placeWidth(lines));
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, what * unit());
   ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch);
   const std::string* where = nullptr;
@@ -95,7 +103,7 @@ void drawLines(const char* id, std::span<const HelpLine> lines, float what) {
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();
     ImGui::TextWrapped("%s", line.effect.c_str());
-    noteWidget("help." + line.what + "." + line.effect);
+    noteWidget("help." + line.id);
   }
   ImGui::EndTable();
 }

@@ -50,7 +50,8 @@ void wrappedTooltip(const char* text) {
 FieldsEdit landmarkRow(std::size_t index, LandmarkOptions& landmarks, ViewState& view) {
   const NamedLandmark& landmark = kLandmarks[index];
   std::array<double, 3>& place = landmarks.*landmark.place;
-  const float clear = 52 * unit();
+  const float clear =
+      std::max(52 * unit(), ImGui::CalcTextSize(tr("Clear")).x + 2 * ImGui::GetStyle().FramePadding.x);
   const bool placing = isChosen(view, Tool::landmark) && view.landmark == index;
   beginRow(tr(landmark.name));
   ImGui::PushID(landmark.name);

@@ -96,11 +96,14 @@ void drawSide(const Seen& seen, const Side& side, bool lit) {
   notePlace(std::string("cube.") + side.id, middle, 2 * unit());
   if (seen.toward(side) < 0.35f) return;
   ImFont* font = side.name[1] == '\0' ? headingFont() : smallFont();
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, side.name);
+  const float wide = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, side.name).x;
+  const float height =
+      font->FontSize * std::min(1.0f, 1.9f * kHalf * unit() / wide);  // long words are smaller
+  const ImVec2 size = font->CalcTextSizeA(height, FLT_MAX, 0, side.name);
   ImVec4 colour = side.colour;
   colour.w = std::min(1.0f, 1.3f * seen.toward(side));
-  list.AddText(font, font->FontSize, {middle.x - 0.5f * size.x, middle.y - 0.5f * size.y},
-               ImGui::GetColorU32(colour), side.name);
+  list.AddText(font, height, {middle.x - 0.5f * size.x, middle.y - 0.5f * size.y}, ImGui::GetColorU32(colour),
+               side.name);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ void labelText(const std::string& text, float room) {
   ImGui::Dummy({room, ImGui::GetFontSize()});
   const ImVec2 min{ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y + lower},
       max{min.x + room, min.y + size.y};
+  noteRect("cut." + text, min, max);  // for tests: none should be
   ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), min, max, max.x, max.x, text.c_str(), nullptr, &size);
 }
 
