@@ -126,6 +126,9 @@ void drawVolume(SpaceWindow& window, GpuScans& scans, const Workspace& w, const 
   std::optional<SurfaceBehind> behind;
   if (scene.mesh) input.behind = &behind.emplace(drawBehind(window, scene, w.view.camera, sketch));
   input.rows = sketch.rows;
+  // A shadow has as many rays as a picture: those of drafts are as coarse as they are.
+  input.shadowSize =
+      std::clamp(int(0.7f * float(std::max(sketch.size.x, sketch.size.y))), 128, input.shadowSize);
   // The target is drawn to with the last rows.
   const bool last = sketch.rows.y >= 1;
   if (last) window.picture.fit(sketch.size);

@@ -22,7 +22,7 @@ enum class Preview { half, quarter };
 
 // kResultBytes: what a pipeline remembers, at most: a mesh and what moving sliders show beside it, of a scan of 30 million
 // voxels; of smaller ones some of what was before, too.
-inline constexpr std::size_t kResultBytes = 320u << 20;
+inline constexpr std::size_t kResultBytes = 280u << 20;
 
 // Pipeline: volume -> low-pass -> classification -> thinning -> points -> fit -> mesh, remembering earlier
 // results so that a change of a parameter repeats only what depends on it. One thread at a time.
