@@ -5,6 +5,7 @@
 
 #include "app/document/crop_box.h"
 #include "app/views/projection.h"
+#include "app/views/scene.h"
 #include "app/widgets/theme.h"
 
 namespace sonoskin::ui {
@@ -21,6 +22,10 @@ std::array<glm::vec3, 8> cornersOf(const RegionOptions& options, const Geometry&
 }
 
 }  // namespace
+
+bool showsBoxInSpace(const Workspace& w) {
+  return w.view.cropBox && (!showsMesh(w) || w.step == Step::region);
+}
 
 void drawBoxLines(const PaneInput& pane, const Workspace& workspace) {
   const Camera& camera = workspace.view.camera;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/views/box_lines.h"
 #include "app/views/plane_cut.h"
 #include "app/views/projection.h"
 #include "app/widgets/theme.h"
@@ -94,6 +95,7 @@ double alongLine(const glm::vec3& origin, const glm::vec3& direction, const Came
 
 PaneInput useCropFaces(ToolState& state, Workspace& w, const ToolPane& pane) {
   const PaneInput& input = pane.input;
+  if (!state.held && !showsBoxInSpace(w)) return input;
   const Geometry& g = w.session.scan().volume->geometry;
   const auto placeOf = [&](int axis) {
     return alongLine(glm::vec3(g.toWorld(0.5 * glm::dvec3(g.dims - 1))), glm::vec3(g.direction[axis]),
@@ -128,12 +130,14 @@ PaneInput useClipTool(ToolState& state, Workspace& w, const ToolPane& pane) {
 
 void drawCropHandles(const ToolState& state, const Workspace& w, const PaneInput& pane) {
   const bool held = state.held == Tool::cropBox;
+  const bool shown =
+      pane.hovered || held || w.step == Step::region;  // a picture that is looked at has no dots
   const auto under = pane.hovered && !state.held ? handleUnderMouse(w, pane) : std::nullopt;
   for (const Handle& handle : cropHandles(w)) {
     const auto seen = seenAt(handle.place, w.view.camera, pane);
     if (!seen) continue;
     const Side& lit = held ? state.drag.side : under ? under->side : Side{-1, false};
-    drawHandle(*seen, handle.side.axis == lit.axis && handle.side.high == lit.high);
+    if (shown) drawHandle(*seen, handle.side.axis == lit.axis && handle.side.high == lit.high);
     notePlace(fmt::format("crop.{}{}", "ijk"[handle.side.axis], handle.side.high ? "+" : "-"), *seen,
               kRadius * unit());
   }

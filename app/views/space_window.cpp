@@ -76,7 +76,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   window.state.moving = window.steered || window.share.moves;
   advancePicture(window, scans, workspace, glm::ivec2(pane.size));
   showTexture(pane, window.picture);
-  if (workspace.view.cropBox) {
+  if (showsBoxInSpace(workspace)) {
     drawBoxLines(pane, workspace);
     drawCropHandles(window.tools, workspace, pane);
   }

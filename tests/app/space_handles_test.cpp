@@ -1,6 +1,7 @@
 // What can be dragged in 3D: the sides of the crop box and the plane that cuts.
 #include "app/views/space_handles.h"
 
+#include "app/views/box_lines.h"
 #include "app/views/projection.h"
 #include "app/views/use_tool.h"
 #include "app/workspace/clip_edits.h"
@@ -82,6 +83,21 @@ TEST_F(SpaceHandles, SidesOfTheBoxFollowTheMouse) {
   EXPECT_TRUE(workspace.session.canUndo());
   workspace.session.undo();
   EXPECT_EQ(workspace.session.parameters().region.cutHigh[2], 0);
+}
+
+TEST_F(SpaceHandles, DoNotLieOverAFinishedFace) {
+  EXPECT_TRUE(showsBoxInSpace(workspace)) << "of a volume that is still to be cropped";
+  workspace.session.reconstruct();
+  ASSERT_TRUE(test::wait(workspace.session));
+  view.content = SpaceContent::mesh;
+  EXPECT_FALSE(showsBoxInSpace(workspace));
+  drag("crop.i+", {-20, 0});
+  EXPECT_FALSE(state.held) << "what is not seen cannot be dragged";
+  letGo();
+  workspace.step = Step::region;
+  EXPECT_TRUE(showsBoxInSpace(workspace));
+  drag("crop.i+", {-20, 0});
+  EXPECT_TRUE(state.held);
 }
 
 TEST_F(SpaceHandles, BesideThemTheCameraTurns) {
