@@ -115,7 +115,7 @@ void SheetWindow::drawPlan(Workspace& w) {
                                           layout.size().x, layout.size().y)
                                   .c_str());
   } catch (const Error& error) {
-    ImGui::TextWrapped("%s", error.what());
+    ImGui::TextWrapped("%s", trSentence(error.what()).c_str());
   }
 }
 

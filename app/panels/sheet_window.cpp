@@ -151,7 +151,7 @@ void SheetWindow::drawButtons(Workspace& w, const ContextFor& contextFor) {
   }
   if (!complaint_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colours().failure);
-    ImGui::TextWrapped("%s", complaint_.c_str());
+    ImGui::TextWrapped("%s", trSentence(complaint_).c_str());
     ImGui::PopStyleColor();
   }
 }

@@ -141,6 +141,8 @@ const Text kTexts[] = {
   {"PgDn", "Bild ab", "Pg suiv"},
   {"Ctrl+", "Strg+", "Ctrl+"},
   {"Shift+", "Umschalt+", "Maj+"},
+  {"Contact sheet...", "Kontaktbogen …", "Planche-contact…"},
+  {"Compare them in 3D, with one camera", "In 3D vergleichen, mit einer Kamera", "Comparer en 3D, avec une seule caméra"},
 };
 // clang-format on
 

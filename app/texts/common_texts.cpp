@@ -82,7 +82,7 @@ const Text kTexts[] = {
   {"Slices", "Schnittbilder", "Coupes"},
   {"Layout", "Anordnung", "Disposition"},
   {"Planes", "Ebenen", "Plans"},
-  {"Scale", "Größe der Texte", "Taille du texte"},
+  {"Scale", "Skalierung", "Échelle"},
   {"Language", "Sprache (Language)", "Langue (Language)"},
   {"All values", "Alle Werte", "Toutes"},
   {"Automatic", "Automatisch", "Automatique"},

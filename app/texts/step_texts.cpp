@@ -63,6 +63,16 @@ const Text kTexts[] = {
   {"window {:.{}f}   level {:.{}f}", "Breite {:.{}f}   Lage {:.{}f}", "largeur {:.{}f}   centre {:.{}f}"},
   {"simulated scan", "simulierte Aufnahme", "acquisition simulée"},
   {"volume", "Volumen", "volume"},
+  {"{}: mark moved", "{}: Marke bewegt", "{} : marque déplacée"},
+  {"All marks deleted", "Alle Marken gelöscht", "Toutes les marques supprimées"},
+  {"{} deleted", "{} gelöscht", "Suppression : {}"},
+  {"Clip plane off", "Clip-Ebene aus", "Plan d’écrêtage désactivé"},
+  {"Clip plane moved", "Clip-Ebene verschoben", "Plan d’écrêtage déplacé"},
+  {"Clip plane: the other side", "Clip-Ebene: andere Seite", "Plan d’écrêtage : l’autre côté"},
+  {"Clip plane turned", "Clip-Ebene gedreht", "Plan d’écrêtage tourné"},
+  {"Colours edited", "Farben bearbeitet", "Couleurs modifiées"},
+  {"Colours as they were", "Farben wie zuvor", "Couleurs d’origine"},
+  {"Colours: {}", "Farben: {}", "Couleurs : {}"},
 };
 // clang-format on
 

@@ -89,6 +89,14 @@ void shadedText(ImVec2 p, const ImVec4& colour, const std::string& text) {
   add(0, 0, ImGui::GetColorU32(colour));
 }
 
+void shadedLines(const PaneInput& pane, std::initializer_list<std::string> lines) {
+  ImVec2 at{pane.corner.x + 12 * unit(), pane.corner.y + 36 * unit()};
+  for (const std::string& line : lines) {
+    shadedText(at, kText, line);
+    at.y += 1.15f * smallFont()->FontSize;
+  }
+}
+
 void paneTitle(const PaneInput& pane, const char* title, const ImVec4& colour, const std::string& text) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float u = unit();

@@ -49,5 +49,7 @@ void paneText(const PaneInput& pane, const std::string& text);  // in the middle
 void scaleBar(const PaneInput& pane, double pixelsPerMm);
 // shadedText: small text that is legible on any picture.
 void shadedText(ImVec2 position, const ImVec4& colour, const std::string& text);
+// shadedLines: below the title of a view.
+void shadedLines(const PaneInput& pane, std::initializer_list<std::string> lines);
 
 }  // namespace sonoskin::ui

@@ -95,8 +95,11 @@ std::string partCaption(const Workspace& workspace) {
   const auto& verdicts = *workspace.session.results().verdicts;
   const auto kept =
       std::count_if(verdicts.begin(), verdicts.end(), [](const PartVerdict& v) { return v.kept; });
-  return trf("{} of {} parts shown   click: off and on   Shift+click: alone   Ctrl+line: split   Esc: done",
-             kept, verdicts.size());
+  return trf("{} of {} parts shown", kept, verdicts.size());
+}
+
+void drawPartHints(const PaneInput& pane) {
+  shadedLines(pane, {tr("click: off and on   Shift+click: alone"), tr("Ctrl+line: split   Esc: done")});
 }
 
 }  // namespace sonoskin::ui

@@ -74,11 +74,15 @@ void drawReach(const Workspace& workspace, const PaneInput& pane) {
     }
   }
   const float below = middle.y + float(std::max(most[0], most[1])) * pixels + 6 * u;
-  const std::string text =
-      trf("half of the red within {:.2f} mm, nine tenths within {:.1f} mm; green {:.2f} and {:.2f} mm",
-          radiusOfEnergy(diffusion, 0, 0.5), most[0], radiusOfEnergy(diffusion, 1, 0.5), most[1]);
-  const float width = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, text.c_str()).x;
-  shadedText({middle.x - 0.5f * width, below}, kText, text);
+  constexpr std::array<const char*, 2> kTexts{"red: half within {:.2f} mm, nine tenths within {:.1f} mm",
+                                              "green: half within {:.2f} mm, nine tenths within {:.1f} mm"};
+  for (int channel = 0; channel < 2; ++channel) {
+    const std::string text = trf(kTexts[std::size_t(channel)], radiusOfEnergy(diffusion, channel, 0.5),
+                                 most[std::size_t(channel)]);
+    const float width = smallFont()->CalcTextSizeA(smallFont()->FontSize, FLT_MAX, 0, text.c_str()).x;
+    shadedText({middle.x - 0.5f * width, below + float(channel) * 1.15f * smallFont()->FontSize}, kText,
+               text);
+  }
 }
 
 }  // namespace

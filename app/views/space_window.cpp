@@ -89,6 +89,7 @@ double drawSpaceWindow(SpaceWindow& window, GpuScans& scans, Workspace& workspac
   }
   drawMeasuresInSpace(pane, workspace);
   drawTool(window.tools, workspace, {pane});
+  if (showsParts(workspace)) drawPartHints(pane);
   paneTitle(pane, "3D", kSurface, caption(window, workspace));
   drawCube(window.cube, frame, pane, view.camera);
   scaleBar(pane, 1 / double(workspace.view.camera.millimetresPerPixel(static_cast<int>(pane.size.y))));

@@ -85,8 +85,9 @@ void letGoMeasureTool(ToolState& state, Workspace& workspace, const ToolPane& pa
 PaneInput usePartTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void letGoPartTool(ToolState& state, Workspace& workspace, const ToolPane& pane);
 void drawPartTool(const ToolState& state, const Workspace& workspace, const ToolPane& pane);
-// partCaption: how many parts are shown, and what the mouse does.
+// partCaption: how many parts are shown. drawPartHints: what the mouse does.
 std::string partCaption(const Workspace& workspace);
+void drawPartHints(const PaneInput& pane);
 
 // Moves the lamp or the line between the halves; the wheel changes the lamp's distance.
 PaneInput useLampTool(ToolState& state, Workspace& workspace, const ToolPane& pane);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -85,15 +84,14 @@ struct DrawnTexts {
   }
 };
 
-// The same letter a pixel beside is a text's shade.
+// A text that is a part of another, and lies there, is its shade.
+inline bool isShade(const std::string& a, const std::string& b) { return a.ends_with(b) || b.ends_with(a); }
+
 inline bool areOver(const DrawnLetter& a, const DrawnLetter& b) {
-  const bool shade = a.letter == b.letter && std::abs(a.place.Min.x - b.place.Min.x) < 3 &&
-                     std::abs(a.place.Min.y - b.place.Min.y) < 3;
   ImRect both = a.place;
   both.ClipWith(b.place);
   const float least = std::min(a.place.GetArea(), b.place.GetArea());
-  return a.text != b.text && !shade && both.GetWidth() > 0 && both.GetHeight() > 0 &&
-         both.GetArea() > 0.2f * least;
+  return a.text != b.text && both.GetWidth() > 0 && both.GetHeight() > 0 && both.GetArea() > 0.2f * least;
 }
 
 // textFaults: what is wrong with the texts of the frame that was drawn last, a line each: a text of which a part is cut off at the
@@ -110,7 +108,7 @@ inline std::set<std::string> textFaults() {
     for (auto a = window.letters.begin(); a != window.letters.end(); ++a) {
       if (a->cut) faults.insert("cut off: \"" + window.texts[a->text] + "\"");
       for (auto b = a + 1; b != window.letters.end(); ++b)
-        if (areOver(*a, *b))
+        if (areOver(*a, *b) && !isShade(window.texts[a->text], window.texts[b->text]))
           faults.insert("\"" + window.texts[a->text] + "\" lies over \"" + window.texts[b->text] + "\"");
     }
   }

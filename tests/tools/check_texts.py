@@ -18,7 +18,7 @@ PRESETS = {"core/pipeline/presets.cpp": "Preset", "core/skin/skin_presets.cpp": 
 # Tables of words that is_text() would not take for texts.
 WORD_TABLES = [("app/workspace/stages.cpp", "kWords"), ("app/views/orientation_cube.cpp", "kScanner"),
                ("app/widgets/message_log.cpp", "kNames"), ("render/slice_axes.cpp", "kPatient"),
-               ("core/pipeline/stage_shares.h", "StageShares"), ("app/views/slice_window.cpp", "kLayers")]
+               ("core/pipeline/stage_shares.h", "StageShares")]
 TRANSLATES = {"tr", "trf", "trId"}
 # Calls that draw what they are given.
 DRAWS = set("""Text TextUnformatted TextDisabled TextColored TextWrapped Button SmallButton Checkbox MenuItem BeginMenu Selectable

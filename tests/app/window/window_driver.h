@@ -24,7 +24,7 @@ class Driver {
  public:
   explicit Driver(const Parameters& parameters) : loop(std::nullopt, parameters) {
     workspace().settings.language = LanguageChoice::english;  // whatever the machine speaks
-    workspace().help.offered = false;  // the tour would lie over what tests click on
+    workspace().help.offered = false;                         // the tour would lie over what tests click on
     ImGui::GetIO().UserData = &rects_;
     ImGui::GetIO().MouseDoubleClickTime = 5;  // frames may be slow where many tests run
   }
