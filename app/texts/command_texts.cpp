@@ -143,6 +143,14 @@ const Text kTexts[] = {
   {"Shift+", "Umschalt+", "Maj+"},
   {"Contact sheet...", "Kontaktbogen …", "Planche-contact…"},
   {"Compare them in 3D, with one camera", "In 3D vergleichen, mit einer Kamera", "Comparer en 3D, avec une seule caméra"},
+  {"Oblique slice, 3D and three planes", "Schrägschnitt, 3D und drei Ebenen", "Coupe oblique, 3D et trois plans"},
+  {"Oblique slice", "Schrägschnitt", "Coupe oblique"},
+  {"Tilt by 5° upward", "Um 5° nach oben kippen", "Basculer de 5° vers le haut"},
+  {"Tilt by 5° downward", "Um 5° nach unten kippen", "Basculer de 5° vers le bas"},
+  {"Turn by 5° to the left", "Um 5° nach links drehen", "Tourner de 5° à gauche"},
+  {"Turn by 5° to the right", "Um 5° nach rechts drehen", "Tourner de 5° à droite"},
+  {"Roll by 5° clockwise", "Um 5° im Uhrzeigersinn rollen", "Rouler de 5° en sens horaire"},
+  {"Roll by 5° counter-clockwise", "Um 5° gegen den Uhrzeigersinn rollen", "Rouler de 5° en sens antihoraire"},
 };
 // clang-format on
 

@@ -259,6 +259,21 @@ const Text kTexts[] = {
    "Un clic reprend les valeurs d’une image."},
   {"Copy command", "Befehl kopieren", "Copier la commande"},
   {"level", "Schwelle", "seuil"},
+  {"Tilt %.0f°", "Kippen %.0f°", "Bascule %.0f°"},
+  {"About the line to the right in the axial picture. Drag, or double click to type.",
+   "Um die Linie nach rechts im axialen Bild. Ziehen, oder Doppelklick zum Eingeben.",
+   "Autour de la ligne vers la droite dans l’image axiale. Glissez, ou double clic pour saisir."},
+  {"Turn %.0f°", "Drehen %.0f°", "Tour %.0f°"},
+  {"About the line downward in the axial picture. Drag, or double click to type.",
+   "Um die Linie nach unten im axialen Bild. Ziehen, oder Doppelklick zum Eingeben.",
+   "Autour de la ligne vers le bas dans l’image axiale. Glissez, ou double clic pour saisir."},
+  {"Roll %.0f°", "Rollen %.0f°", "Roulis %.0f°"},
+  {"In the picture itself. Drag, or double click to type.",
+   "Im Bild selbst. Ziehen, oder Doppelklick zum Eingeben.",
+   "Dans l’image elle-même. Glissez, ou double clic pour saisir."},
+  {"Reset", "Zurücksetzen", "Réinitialiser"},
+  {"As the axial plane", "Wie die axiale Ebene", "Comme le plan axial"},
+  {"Oblique", "Schräg", "Oblique"},
 };
 // clang-format on
 

@@ -85,7 +85,9 @@ struct DrawnTexts {
 };
 
 // A text that is a part of another, and lies there, is its shade.
-inline bool isShade(const std::string& a, const std::string& b) { return a.ends_with(b) || b.ends_with(a); }
+inline bool isShade(const std::string& a, const std::string& b) {
+  return a.find(b) != a.npos || b.find(a) != b.npos;
+}
 
 inline bool areOver(const DrawnLetter& a, const DrawnLetter& b) {
   ImRect both = a.place;

@@ -27,8 +27,10 @@ class TextWindow : public WindowTest {
     w.view.parts = false;
     w.view.content = SpaceContent::volume;
     expectFit(language + " volume");
-    w.settings.layout.layout = Layout::compare;
-    expectFit(language + " compared");
+    for (const Layout layout : {Layout::compare, Layout::casts, Layout::oblique}) {
+      w.settings.layout.layout = layout;
+      expectFit(language + " " + enumNames(layout)[std::size_t(layout)]);
+    }
     w.settings.layout.layout = Layout::fourUp;
     w.view.content = SpaceContent::mesh;
     expectFit(language + " mesh");
