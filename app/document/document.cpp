@@ -39,8 +39,14 @@ void Document::commit() {
 }
 
 void Document::beginViews(const ViewEdits& begun) {
+  bool edited = false;
+  for (std::size_t n = 1; n < history.size(); ++n)
+    edited = edited || !(history.at(n).views == history.at(n - 1).views);
   views = begun;
-  history.changeAll([&](Version& version) { version.views = begun; });
+  if (edited)  // steps without what they changed would be none
+    history = History<Version>({parameters, erased.strokes(), erased.voxels(), views});
+  else
+    history.changeAll([&](Version& version) { version.views = begun; });
 }
 
 void Document::undo() {

@@ -61,10 +61,6 @@ void drawDivider(const Divider& divider, LayoutState& layout, ImVec2 corner, ImV
       ImGui::GetColorU32(colour));
 }
 
-}  // namespace
-
-namespace {
-
 Cells compareCells(const LayoutState& layout) {
   Cells cells;
   for (const Pane pane : {Pane::axial, Pane::sagittal, Pane::coronal})
@@ -89,7 +85,7 @@ Cells cellsIn(const LayoutState& layout) {
   return layout.layout == Layout::oblique ? namedCells(kOblique) : compareCells(layout);
 }
 
-// A row of cells from one side of the area to the other; the first two of four end at the divider.
+// A row of cells from one side of the area to the other: two meet at the divider, three are as wide as each other.
 void placeRow(std::span<Cell> cells, ImVec2 corner, ImVec2 size, float divider) {
   const auto count = cells.size();
   float left = corner.x;

@@ -78,6 +78,10 @@ TEST_F(WindowTest, KeysMarksAndTheCube) {
   for (const char* action : {"mousedown 1", "mouseup 1"}) d.mouse(action);
   ASSERT_EQ(d.workspace().view.measures.size(), 1u);
   EXPECT_GT(valueOf(d.workspace().view.measures[0]), 5);
+  d.press("ctrl+z");
+  EXPECT_TRUE(d.workspace().view.measures.empty());
+  d.press("ctrl+shift+z");
+  EXPECT_EQ(d.workspace().view.measures.size(), 1u);
   d.press("Escape");
   EXPECT_EQ(d.workspace().view.sliceTool, Tool::crossHair);
 
