@@ -41,9 +41,50 @@ std::array<glm::vec3, 8> corners(const Box& box) {
   throw Error(
       fmt::format(
           "--camera: \"{}\" is not known; use probe, front, back, left, right, top, bottom or portrait, "
-          "then azimuth=, elevation=, roll= (degrees) or zoom=",
+          "then azimuth=, elevation=, roll= (degrees) or zoom=, or target=, forward=, up= (x:y:z) and "
+          "distance=",
           word),
       Error::Kind::usage);
+}
+
+std::optional<float> numberIn(std::string_view text) {
+  float value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+// "1:-2.5:3"
+std::optional<glm::vec3> vectorIn(std::string_view text) {
+  glm::vec3 vector(0);
+  for (int i = 0; i < 3; ++i) {
+    const auto end = i < 2 ? text.find(':') : text.size();
+    if (end == std::string_view::npos) return {};
+    const auto number = numberIn(text.substr(0, end));
+    if (!number) return {};
+    vector[i] = *number;
+    text.remove_prefix(i < 2 ? end + 1 : end);
+  }
+  return vector;
+}
+
+// applyPose: "target=1:2:3", "forward=0:1:0" and "up=0:0:1"; whether it is one of these.
+bool applyPose(std::string_view name, std::string_view text, Camera& camera) {
+  constexpr float kShortest = 1e-3f;  // of a direction
+  const auto vector = vectorIn(text);
+  if (!vector) return false;
+  const bool directs = glm::length(*vector) > kShortest;
+  if (name == "target") {
+    camera.target = *vector;
+  } else if (name == "forward" && directs) {
+    camera.forward = glm::normalize(*vector);
+    camera.up = glm::cross(rightOf(camera.forward, camera.up), camera.forward);
+  } else if (name == "up" && directs) {
+    camera.up = glm::cross(rightOf(camera.forward, glm::normalize(*vector)), camera.forward);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 // applyChange: "azimuth=30" and the like.
@@ -51,9 +92,10 @@ void applyChange(std::string_view word, Camera& camera) {
   const auto equals = word.find('=');
   if (equals == std::string_view::npos) refuse(word);
   const auto name = word.substr(0, equals), number = word.substr(equals + 1);
-  float value = 0;
-  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (failure != std::errc() || end != number.data() + number.size()) refuse(word);
+  if (applyPose(name, number, camera)) return;
+  const auto given = numberIn(number);
+  if (!given) refuse(word);
+  const float value = *given;
   const float angle = glm::radians(value);
   if (name == "azimuth")
     camera.orbit(angle, 0);
@@ -63,6 +105,8 @@ void applyChange(std::string_view word, Camera& camera) {
     camera.roll(angle);
   else if (name == "zoom" && value > 0)
     camera.zoom(value);
+  else if (name == "distance" && value > 0)
+    camera.distance = value;
   else
     refuse(word);
 }
@@ -186,6 +230,12 @@ Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, floa
     first = false;
   }
   return camera;
+}
+
+std::string cameraWords(const Camera& camera) {
+  const auto words = [](const glm::vec3& v) { return fmt::format("{}:{}:{}", v.x + 0, v.y + 0, v.z + 0); };
+  return fmt::format("target={},forward={},up={},distance={}", words(camera.target), words(camera.forward),
+                     words(camera.up), camera.distance);
 }
 
 Box worldBox(const Geometry& geometry) {

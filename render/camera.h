@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/mesh/mesh.h"
@@ -65,9 +66,13 @@ Camera lookAtAll(const glm::vec3& forward, const glm::vec3& up, std::span<const 
 //           face       `face`; as probe where there is none
 //           azimuth=   degrees to the camera's right        elevation=  degrees upward
 //           roll=      degrees clockwise                    zoom=       factor
-//   errors  Error (usage): an unknown word, not a number, zoom <= 0
+//           target=    x:y:z, mm    forward=, up=  directions    distance=  mm: a camera that somebody has dragged
+//   errors  Error (usage): an unknown word, not a number, zoom or distance <= 0, directions that are none
 Camera parseCamera(std::string_view text, const Beam& beam, const Box& box, float aspect,
                    const Camera* face = nullptr);
+
+// cameraWords: the words of exactly this camera: "target=1:2:3,forward=0:1:0,up=0:0:1,distance=250".
+std::string cameraWords(const Camera& camera);
 
 // worldBox: the axis-aligned box around a volume, from the outer voxels' centres.
 Box worldBox(const Geometry& geometry);

@@ -11,7 +11,9 @@
 #include "app/batch/obsolete_files.h"
 #include "app/batch/picture_frame.h"
 #include "app/batch/picture_writer.h"
+#include "app/batch/report_parts.h"
 #include "app/batch/waiting_picture.h"
+#include "app/document/points_file.h"
 #include "app/document/view_planes.h"
 #include "core/base/error.h"
 #include "core/base/error_text.h"
@@ -21,7 +23,6 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/file_formats.h"
-#include "core/io/mesh_encoders.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
 #include "core/phantom/phantom.h"
@@ -71,14 +72,8 @@ Scan load(BatchRun& run) {
     return scan.volume->data.size() * sizeof(float);
   });
   run.report.input = run.options.inputName.empty() ? scan.key.hex() : run.options.inputName;
-  const Geometry& g = scan.volume->geometry;
-  run.report.dims = {g.dims.x, g.dims.y, g.dims.z};
-  run.report.spacing = {g.spacing.x, g.spacing.y, g.spacing.z};
-  run.report.spacingKnown = scan.spacingKnown;
+  reportScan(run.report, scan);
   run.report.measures = measuresOf(run.options.input, scan);
-  if (scan.erased)
-    run.report.erasedVoxels = scan.erased->data.size() -
-                              std::size_t(std::count(scan.erased->data.begin(), scan.erased->data.end(), 0));
   return scan;
 }
 
@@ -86,19 +81,8 @@ Results compute(BatchRun& run, const Scan& scan) {
   Pipeline pipeline;  // gone after this, and with it what only a later run would need
   Results results =
       pipeline.run(scan, run.parameters, Goal::mesh, run.progress.part(kLoaded, kComputed), run.stageBegins);
-  run.report.stages.insert(run.report.stages.end(), results.stages.begin(), results.stages.end());
-  run.report.isoValue = results.isoValue;
-  run.report.isoShare = run.parameters.classification.isoShare;
-  run.report.isoRange = results.isoRange;
+  reportResults(run.report, results, run.parameters);
   for (const std::string& warning : results.warnings) log(LogLevel::warning, asSentence(warning));
-  run.report.points = results.points->size();
-  run.report.edge = results.edge;
-  run.report.centres = results.centres;
-  run.report.globalError = results.globalError;
-  run.report.globalErrorWithWeights = results.globalErrorWithWeights;
-  run.report.pieces = results.pieces->size();
-  run.report.face = reportFace(results.face.get(), run.parameters.face);
-  run.report.parts = reportParts(results);
   return results;
 }
 
@@ -179,14 +163,6 @@ void drawPictures(BatchRun& run, Scan scan, Results results, WaitingPicture& ski
     writer.finish();
     return 4 * 4 * std::size_t(shot.frame.size.x) * std::size_t(shot.frame.size.y);
   });
-}
-
-void writePoints(const std::filesystem::path& path, const SurfacePoints& points) {
-  Mesh cloud;
-  cloud.positions = points.positions;
-  cloud.normals = points.normals;
-  const std::vector<std::uint8_t> bytes = encodePly(cloud);
-  writeBytes(path, bytes.data(), bytes.size());
 }
 
 void writeSurfaces(BatchRun& run, const Results& results, const Progress& progress) {

@@ -141,7 +141,8 @@ std::string reportText(const Report& report, const std::filesystem::path& folder
   }
   text += fmt::format("{:.1f} s on {} threads, {:.0f} MB of memory at most\n", report.seconds, report.threads,
                       double(report.peakMemory) * 1e-6);
-  text += fmt::format("in {}: {}\n", folder.string(), fmt::join(report.files, ", "));
+  if (!report.files.empty())
+    text += fmt::format("in {}: {}\n", folder.string(), fmt::join(report.files, ", "));
   return text;
 }
 

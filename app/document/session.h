@@ -15,6 +15,7 @@
 #include "app/document/step_range.h"
 #include "app/document/worker.h"
 #include "core/io/image.h"
+#include "core/io/mesh_placement.h"
 #include "core/io/textured_mesh_writer.h"
 #include "core/io/volume_entry.h"
 #include "core/pipeline/parameters.h"
@@ -161,7 +162,7 @@ class Session {
   // warning.
   //   errors  Error: there is no surface, or what is erased has too many runs for a recipe; what goes wrong while it is
   //           written is a message
-  void saveMesh(const std::filesystem::path& path);
+  void saveMesh(const std::filesystem::path& path, const MeshPlacement& placement = {});
   // saveSequence: the surfaces of some time steps, as "face_0001.ply", ..., made of the present parameters, each as
   // reconstruct() makes it, and one recipe.
   void saveSequence(const std::filesystem::path& path, StepRange steps);
@@ -173,10 +174,15 @@ class Session {
   void savePicture(const std::filesystem::path& path, std::function<void(const Progress&)> write,
                    bool showsMesh);
   void saveRecipe(const std::filesystem::path& path);
-  // saveScan, saveClassified: as voxels for other programs: the scan as it was read, and what the classification made of it.
+  // saveScan, saveClassified, saveThinned, savePoints: for other programs: the scan as it was read, what the classification made
+  // of it, the voxels of surfaces, and the places on them.
   //   errors  Error: there is none
   void saveScan(const std::filesystem::path& path);
   void saveClassified(const std::filesystem::path& path);
+  void saveThinned(const std::filesystem::path& path);
+  void savePoints(const std::filesystem::path& path);
+  // madeWith: the parameters that the surface was made with.
+  const Parameters& madeWith() const { return frame_.made.parameters; }
   // capture: all that is open, as it is now; what it gives may be called in the background. saveSession: the same as a file;
   // `saved` is called on this thread when it is written.
   //   views   see SessionFile

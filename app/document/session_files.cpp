@@ -7,6 +7,7 @@
 
 #include "app/document/input.h"
 #include "app/document/opening.h"
+#include "app/document/points_file.h"
 #include "app/document/session.h"
 #include "core/base/error.h"
 #include "core/base/log.h"
@@ -201,12 +202,14 @@ void Session::warnOfMesh() {
         "it again, for one that its recipe repeats.");
 }
 
-void Session::saveMesh(const fs::path& path) {
+void Session::saveMesh(const fs::path& path, const MeshPlacement& placement) {
   require(frame_.results.mesh != nullptr, "There is no surface to save yet; reconstruct it first.");
   warnOfMesh();
   save(
       path, recipeOfMesh(frame_.made.parameters),
-      [path, mesh = frame_.results.mesh](const Progress& progress) { writeMesh(path, *mesh, progress); },
+      [path, placement, mesh = frame_.results.mesh](const Progress& progress) {
+        writeMesh(path, *mesh, MeshFileOptions{{}, placement}, progress);
+      },
       savedMesh(frame_.made.parameters));
 }
 
@@ -259,6 +262,17 @@ void Session::saveClassified(const fs::path& path) {
   require(frame_.results.classified != nullptr, "Nothing is classified yet; wait until it is.");
   saveAlone(path, [path, classified = frame_.results.classified, beam = frame_.scan.beam](
                       const Progress& progress) { writeVolume(path, *classified, beam, progress); });
+}
+
+void Session::saveThinned(const fs::path& path) {
+  require(frame_.results.thinned != nullptr, "Nothing is thinned yet; wait until it is.");
+  saveAlone(path, [path, thinned = frame_.results.thinned, beam = frame_.scan.beam](
+                      const Progress& progress) { writeVolume(path, *thinned, beam, progress); });
+}
+
+void Session::savePoints(const fs::path& path) {
+  require(frame_.results.points != nullptr, "There are no points yet; wait until they are found.");
+  saveAlone(path, [path, points = frame_.results.points](const Progress&) { writePoints(path, *points); });
 }
 
 std::string Session::recipeNow() {

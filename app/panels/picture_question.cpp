@@ -4,6 +4,7 @@
 
 #include "app/batch/turntable_files.h"
 #include "app/panels/panels.h"
+#include "app/panels/picture_format_rows.h"
 #include "app/panels/question_box.h"
 #include "app/texts/texts.h"
 #include "app/widgets/fields_ui.h"
@@ -43,7 +44,9 @@ void chooseUsual(PictureFormat& format) {
   }
 }
 
-void drawFormat(PictureFormat& format, bool turntable) {
+}  // namespace
+
+void drawPictureFormat(PictureFormat& format, bool turntable) {
   if (beginFields("picture format")) {
     drawSize(format);
     if (turntable) {
@@ -57,6 +60,8 @@ void drawFormat(PictureFormat& format, bool turntable) {
   noteWidget("picture.transparent");
   if (turntable) sentenceText(tr("One PNG each, and a film where ffmpeg is installed."));
 }
+
+namespace {
 
 void ask(Workspace& w, bool turntable) {
   if (turntable)
@@ -73,7 +78,7 @@ void drawPictureQuestion(Workspace& workspace) {
   const std::string title = std::string(turntable ? tr("Save turntable") : tr("Save picture")) + "###picture";
   const auto end = [&workspace] { workspace.pictureRequest.reset(); };
   drawQuestionBox({title.c_str(), tr("The 3D view as it is, without its marks."),
-                   [&] { drawFormat(workspace.pictureFormat, turntable); }},
+                   [&] { drawPictureFormat(workspace.pictureFormat, turntable); }},
                   {{tr("Cancel"), "picture.cancel", end}, {tr("Save..."), "picture.save", [&] {
                                                              end();
                                                              ask(workspace, turntable);

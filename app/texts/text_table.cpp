@@ -2,10 +2,10 @@
 
 namespace sonoskin {
 
-std::array<std::span<const Text>, 15> textTables() {
-  return {commonTexts(),  commandTexts(), stepTexts(),      panelTexts(),  widgetTexts(),
-          helpTexts(),    fileTexts(),    parameterNames(), choiceTexts(), foundHelps(),
-          surfaceHelps(), skinHelps(),    scanHelps(),      useTexts(),    messageTexts()};
+std::array<std::span<const Text>, 16> textTables() {
+  return {commonTexts(), commandTexts(),   stepTexts(),    panelTexts(), widgetTexts(),  helpTexts(),
+          fileTexts(),   parameterNames(), choiceTexts(),  foundHelps(), surfaceHelps(), skinHelps(),
+          scanHelps(),   useTexts(),       messageTexts(), outputTexts()};
 }
 
 }  // namespace sonoskin

@@ -26,8 +26,9 @@ std::span<const Text> skinHelps();
 std::span<const Text> scanHelps();
 std::span<const Text> useTexts();
 std::span<const Text> messageTexts();
+std::span<const Text> outputTexts();
 
 // textTables: all that tr() knows.
-std::array<std::span<const Text>, 15> textTables();
+std::array<std::span<const Text>, 16> textTables();
 
 }  // namespace sonoskin

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/io/file_formats.h"
+#include "core/io/mesh_placement.h"
 
 namespace sonoskin::ui {
 
@@ -29,7 +30,10 @@ enum class FilePurpose {
   savePicture,
   saveMessages,
   saveTurntable,
-  saveSheet
+  saveSheet,
+  savePoints,
+  saveThinned,
+  saveReport
 };
 
 // FilePurposeText: how the dialog looks for a purpose, and which files it lists and writes.
@@ -42,9 +46,11 @@ struct FilePurposeText {
 FilePurposeText purposeText(FilePurpose purpose);
 
 // FileChoice: what the person chose.
+//   placement  of a mesh
 struct FileChoice {
   FilePurpose purpose;
   std::filesystem::path path;
+  MeshPlacement placement{};
 };
 
 // FileEntry: a line of the list.
@@ -75,8 +81,11 @@ struct FileDialog {
   void enter(const std::filesystem::path& folder);
 };
 
-// replacedFiles: what is there already of all that would be written for a purpose: the file, the recipe, material and pictures
-// beside it, the surfaces of a sequence.
+// writtenFiles: all that is written for a purpose: the file, the recipe, material and pictures beside it; of a turntable the
+// first picture and the film.
+std::vector<std::filesystem::path> writtenFiles(FilePurpose purpose, const std::filesystem::path& path);
+
+// replacedFiles: what is there already of it, and of the surfaces of a sequence.
 std::vector<std::filesystem::path> replacedFiles(FilePurpose purpose, const std::filesystem::path& path);
 
 // accept: the file of the name that stands in the dialog; or nothing, and what is wrong with it as a complaint. A name

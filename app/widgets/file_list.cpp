@@ -57,6 +57,12 @@ FilePurposeText purposeText(FilePurpose purpose) {
       return {"Save turntable of the 3D view", "Save", true, FileKind::picture};
     case FilePurpose::saveSheet:
       return {"Save contact sheet", "Save", true, FileKind::picture};
+    case FilePurpose::savePoints:
+      return {"Save points", "Save", true, FileKind::points};
+    case FilePurpose::saveThinned:
+      return {"Save thinned volume", "Save", true, FileKind::writtenVolume};
+    case FilePurpose::saveReport:
+      return {"Save report", "Save", true, FileKind::report};
   }
   return {};
 }

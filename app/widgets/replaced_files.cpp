@@ -17,6 +17,8 @@ bool hasRecipe(FilePurpose purpose) {
     case FilePurpose::saveLitSkin:
     case FilePurpose::savePicture:
     case FilePurpose::saveSheet:
+    case FilePurpose::saveTurntable:
+    case FilePurpose::saveReport:
       return true;
     default:
       return false;
@@ -42,14 +44,29 @@ std::vector<fs::path> stepsThere(const fs::path& path) {
 
 }  // namespace
 
-std::vector<fs::path> replacedFiles(FilePurpose purpose, const fs::path& path) {
+std::vector<fs::path> writtenFiles(FilePurpose purpose, const fs::path& path) {
+  const auto beside = [&](const char* ending) {
+    return path.parent_path() / (path.stem().string() + ending);
+  };
   std::vector<fs::path> written{path};
-  if (purpose == FilePurpose::saveSequence) written = stepsThere(path);
+  if (purpose == FilePurpose::saveTurntable) written = {beside("_001.png"), beside(".mp4")};
   const bool hasSkin = purpose == FilePurpose::saveSkin || purpose == FilePurpose::saveLitSkin;
   if (hasSkin && formatNamed(FileKind::texturedMesh, path) == FileFormat::obj)
     for (const char* ending : {".mtl", "_colour.png", "_normal.png", "_roughness.png"})
-      written.push_back(path.parent_path() / (path.stem().string() + ending));
+      written.push_back(beside(ending));
   if (hasRecipe(purpose)) written.push_back(fs::path(path).replace_extension(".recipe.json"));
+  return written;
+}
+
+std::vector<fs::path> replacedFiles(FilePurpose purpose, const fs::path& path) {
+  std::vector<fs::path> written = writtenFiles(purpose, path);
+  if (purpose == FilePurpose::saveTurntable)  // pictures that are there are refused
+    written.erase(written.begin(), written.begin() + 2);
+  if (purpose == FilePurpose::saveSequence) {
+    written.erase(written.begin());
+    const std::vector<fs::path> steps = stepsThere(path);
+    written.insert(written.begin(), steps.begin(), steps.end());
+  }
   std::error_code error;
   std::erase_if(written, [&](const fs::path& file) { return !fs::exists(file, error); });
   return written;

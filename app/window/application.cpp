@@ -220,6 +220,7 @@ void Application::drawInterface() {
   ui::drawPictureQuestion(workspace_);
   ui::drawColoursWindow(workspace_);
   sheetWants_ = sheet_.draw(workspace_, apart_);
+  if (const auto choice = export_.draw(workspace_)) act(*choice);
   ui::drawVolumeChoice(workspace_);
   ui::drawRawQuestion(workspace_);
   ui::drawLostVolume(workspace_);
@@ -228,7 +229,8 @@ void Application::drawInterface() {
   ui::drawLog(workspace_);
   toastsWant_ = ui::drawToasts(workspace_.toasts, place);
   tour_.draw(workspace_);
-  if (const auto choice = ui::drawFileDialog(workspace_.files)) act(*choice);
+  if (const auto choice = ui::drawFileDialog(workspace_.files); choice && !export_.takes(*choice))
+    act(*choice);
 }
 
 ui::ToastPlace Application::drawMain() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/export_dialog.h"
 #include "app/panels/sheet_window.h"
 #include "app/panels/tour.h"
 #include "app/views/four_up.h"
@@ -94,6 +95,7 @@ class Application {
   void saveSkin(const std::filesystem::path& path, bool light);
   void savePicture(const std::filesystem::path& path);
   void saveTurntable(const std::filesystem::path& path);
+  void saveReport(const std::filesystem::path& path);
 
   LogRecord log_;  // what is said anywhere, until updateDocument shows it
   std::function<std::shared_ptr<gl::Context>()> apart_;
@@ -104,6 +106,7 @@ class Application {
   ui::FourUp views_;
   ui::TourWindow tour_;
   ui::SheetWindow sheet_;
+  ui::ExportDialog export_;
   ObjectsSeen<1> shownPoints_;  // what the views were last reset for
   std::uint64_t opened_ = 0;
   std::set<std::string> noted_;        // of this document: each of its time steps may say the same

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/batch/report_parts.h"
 #include "app/batch/turntable_files.h"
 #include "app/texts/texts.h"
 #include "app/views/view_shot.h"
@@ -60,7 +61,7 @@ void Application::act(const ui::FileChoice& choice) {
     case ui::FilePurpose::saveRecipe:
       return session.saveRecipe(choice.path);
     case ui::FilePurpose::saveMesh:
-      return session.saveMesh(choice.path);
+      return session.saveMesh(choice.path, choice.placement);
     case ui::FilePurpose::saveSequence:
       return session.saveSequence(choice.path, stepsOf(workspace_));
     case ui::FilePurpose::savePrint:
@@ -81,6 +82,12 @@ void Application::act(const ui::FileChoice& choice) {
       return saveTurntable(choice.path);
     case ui::FilePurpose::saveSheet:
       return sheet_.save(workspace_, choice.path);
+    case ui::FilePurpose::savePoints:
+      return session.savePoints(choice.path);
+    case ui::FilePurpose::saveThinned:
+      return session.saveThinned(choice.path);
+    case ui::FilePurpose::saveReport:
+      return saveReport(choice.path);
   }
 }
 
@@ -119,6 +126,19 @@ void Application::saveTurntable(const std::filesystem::path& path) {
     files.finish(progress.cancelOnly());
   };
   workspace_.session.savePicture(path, std::move(write), ui::showsMesh(workspace_));
+}
+
+void Application::saveReport(const std::filesystem::path& path) {
+  const Session& session = workspace_.session;
+  require(session.results().mesh != nullptr, "There is no surface to report on yet; reconstruct it first.");
+  const ReportedWork work{session.scan(), session.results(), session.madeWith(), workspace_.view.measures,
+                          workspace_.glInfo};
+  auto write = [path, work](const Progress& progress) {
+    const Report report = reportWork(work, progress);
+    const std::string text = path.extension() == ".txt" ? reportText(report, {}) : reportJson(report);
+    writeBytes(path, text.data(), text.size());
+  };
+  workspace_.session.savePicture(path, std::move(write), true);
 }
 
 }  // namespace sonoskin

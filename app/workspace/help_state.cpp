@@ -16,13 +16,14 @@ void openPalette(Workspace& w) {
 
 bool hasHelpWindow(const Workspace& w) {
   const HelpState& help = w.help;
-  return help.paletteShown || w.keysShown || w.aboutShown || w.historyShown || w.sheetShown || help.tour ||
-         help.offered || w.toasts.log.shown;
+  return help.paletteShown || w.keysShown || w.aboutShown || w.historyShown || w.sheetShown ||
+         w.exportShown || help.tour || help.offered || w.toasts.log.shown;
 }
 
 void closeHelpWindow(Workspace& w) {
   HelpState& help = w.help;
-  for (bool* shown : {&help.paletteShown, &w.keysShown, &w.aboutShown, &w.historyShown, &w.sheetShown})
+  for (bool* shown :
+       {&help.paletteShown, &w.keysShown, &w.aboutShown, &w.historyShown, &w.sheetShown, &w.exportShown})
     if (std::exchange(*shown, false)) return;
   if (help.tour || help.offered) {
     help.tour.reset();

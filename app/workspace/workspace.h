@@ -89,7 +89,7 @@ struct Workspace {
   std::optional<std::vector<UserPreset>> presets;  // the person's own; not read yet
   std::optional<std::string> presetName;           // of one that is about to be kept, while it is typed
   bool keysShown = false, aboutShown = false, historyShown = false;
-  bool sheetShown = false;  // the dialog of the contact sheet
+  bool sheetShown = false, exportShown = false;  // the dialogs of the contact sheet, and of what is exported
   HelpState help;
   std::optional<Menu> menuAsked;  // by a key, to be opened
   double screenScale = 1;         // of texts and widgets, where the settings have none

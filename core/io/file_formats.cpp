@@ -19,7 +19,7 @@ enum class Holds { volume, mesh, picture, recipe, session, text };
 // Row: a format, and the endings under which it is read and written.
 //   keeps          what a written file holds, or where a read one is looked for; for people
 //   begins         the mark in its first bytes, from `beginsAt` on; empty: it is known by its name alone
-//   prints, skins  written for printers, and with the maps of the skin
+//   prints, skins, points  written for printers, with the maps of the skin, and without triangles
 struct Row {
   FileFormat format;
   Holds holds;
@@ -28,7 +28,7 @@ struct Row {
   std::string_view keeps;
   std::string_view begins = {};
   std::size_t beginsAt = 0;
-  bool prints = false, skins = false;
+  bool prints = false, skins = false, points = false;
 };
 
 const std::vector<Row>& rows() {
@@ -92,7 +92,12 @@ const std::vector<Row>& rows() {
        "PLY",
        {".ply"},
        {".ply"},
-       "mm; normals, labels, what the probe sees and what was measured"},
+       "mm; normals, labels, what the probe sees and what was measured",
+       {},
+       0,
+       false,
+       false,
+       true},
       {F::stl, Holds::mesh, "STL", {".stl"}, {".stl"}, "mm; triangles alone", {}, 0, true},
       {F::glb, Holds::mesh, "GLB", {".glb", ".gltf"}, {".glb"}, "metres, Y up; normals", {}, 0, false, true},
       {F::obj, Holds::mesh, "OBJ", {".obj"}, {".obj"}, "mm; normals", {}, 0, false, true},
@@ -132,7 +137,7 @@ struct Selection {
   bool Row::*flag = nullptr;
   std::optional<Holds> also = {};
 };
-constexpr std::size_t kKinds = 11;
+constexpr std::size_t kKinds = 13;
 constexpr std::array<Selection, kKinds> kSelections{
     {{Holds::volume, true, "a volume"},
      {Holds::volume, false, "a volume"},
@@ -144,7 +149,9 @@ constexpr std::array<Selection, kKinds> kSelections{
      {Holds::recipe, false, "a recipe"},
      {Holds::session, false, "a session"},
      {Holds::volume, true, "a volume", nullptr, Holds::session},
-     {Holds::text, false, "a text"}}};
+     {Holds::text, false, "a text"},
+     {Holds::mesh, false, "a file of points", &Row::points},
+     {Holds::recipe, false, "a report", nullptr, Holds::text}}};
 
 const Selection& selectionOf(FileKind kind) { return kSelections[std::size_t(kind)]; }
 
@@ -176,6 +183,7 @@ Error unreadable(FileKind kind, const fs::path& file) {
 }  // namespace
 
 std::string_view formatName(FileFormat format) { return rowOf(format).name; }
+std::string_view formatKeeps(FileFormat format) { return rowOf(format).keeps; }
 
 const std::vector<std::string>& extensionsOf(FileKind kind) {
   static const std::array<std::vector<std::string>, kKinds> lists = [] {

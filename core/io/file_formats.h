@@ -40,6 +40,8 @@ enum class FileFormat {
 //   texturedMesh  a surface with the maps of its skin
 //   text          words for people
 //   opened        what the window opens: a volume, or a session with one
+//   points        places and normals without triangles
+//   report        what was made, for programs or for people
 enum class FileKind {
   readVolume,
   writtenVolume,
@@ -51,11 +53,16 @@ enum class FileKind {
   recipe,
   session,
   opened,
-  text
+  text,
+  points,
+  report
 };
 
 // formatName: for people: "MetaImage".
 std::string_view formatName(FileFormat format);
+
+// formatKeeps: what a written file holds, for people: "mm; triangles alone".
+std::string_view formatKeeps(FileFormat format);
 
 // extensionsOf: all endings of a kind, in small letters with their dots; the first is the usual one.
 const std::vector<std::string>& extensionsOf(FileKind kind);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/mesh_reader.h"
+#include "core/mesh/facts/mesh_doubts.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"

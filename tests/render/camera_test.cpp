@@ -92,6 +92,19 @@ TEST(Camera, OrbitThereAndBackIsTheIdentityAndKeepsTheFrameOrthonormal) {
   expectNear(camera.up, before.up);
 }
 
+TEST(Camera, ItsWordsAreExactlyTheSameCamera) {
+  Camera camera = parseCamera("probe,azimuth=20,elevation=-7,roll=3,zoom=1.3", Beam{}, kBox, 1);
+  camera.pan({30, -20}, 400);
+  const Camera same = parseCamera(cameraWords(camera), Beam{}, kBox, 2);
+  expectNear(same.target, camera.target);
+  expectNear(same.forward, camera.forward);
+  expectNear(same.up, camera.up);
+  EXPECT_FLOAT_EQ(same.distance, camera.distance);
+  for (const char* wrong :
+       {"target=1:2", "target=1:2:x", "up=0:0:0", "forward=0:0:0", "distance=0", "distance=nan"})
+    EXPECT_THROW(parseCamera(wrong, Beam{}, kBox, 1), Error) << wrong;
+}
+
 TEST(Camera, PanMovesThePictureByThatManyPixels) {
   Camera camera = parseCamera("front", Beam{}, kBox, 1);
   const glm::vec3 p = camera.target;
