@@ -9,6 +9,7 @@
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
+#include "app/workspace/commands.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -88,14 +89,24 @@ void drawParameters(Workspace& workspace) {
   Parameters parameters = workspace.session.parameters();
   FieldsEdit edit = groupRows(tr("How it was recorded"), "scan", parameters.scan,
                               {{}, false, scanUse(workspace.session, parameters)});
-  edit |= groupRows(tr("Simulated scan"), "phantom", parameters.phantom,
-                    {{}, false, useOf(parameters, "phantom")});
+  // What another scan would be simulated with is nothing of one from a file.
+  const bool simulated = !workspace.session.hasScan() || workspace.session.isPhantom();
+  if (simulated)
+    edit |= groupRows(tr("Simulated scan"), "phantom", parameters.phantom,
+                      {{}, false, useOf(parameters, "phantom")});
   applyEdit(workspace, parameters, edit);
-  if (ImGui::Button(tr("Simulate again"), {-1, 0})) workspace.session.openPhantom();
+  if (!simulated) return;
+  if (ImGui::Button(tr("Simulate again"), {-1, 0})) command("file.phantom").run(workspace);
   noteWidget("phantom.simulate");
 }
 
+// The lines are there before there is a scan, so that nothing below them moves when it comes.
 void drawFacts(const Session& session) {
+  if (!session.hasScan()) {
+    fact(tr("Name"), tr("Nothing is open yet"));
+    for (const char* label : {"Voxels", "Spacing", "Size", "Values"}) fact(tr(label), "–");
+    return;
+  }
   const Scan& scan = session.scan();
   const Geometry& g = scan.volume->geometry;
   const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
@@ -112,16 +123,14 @@ void drawFacts(const Session& session) {
 
 void drawVolumePanel(Workspace& workspace) {
   const Session& session = workspace.session;
+  drawFacts(session);
   if (session.hasScan()) {
-    drawFacts(session);
     const Scan& scan = session.scan();
     if (scan.timeSteps > 1) {
       drawStepSlider(workspace, scan.timeSteps);
       drawStepRange(workspace.play, scan.timeSteps);
     }
     if (!session.givesSpacing()) askSpacing(workspace, scan.spacingKnown);
-  } else {
-    ImGui::TextDisabled("%s", tr("Nothing is open yet"));
   }
   drawParameters(workspace);
 }

@@ -8,8 +8,11 @@
 
 #include "app/panels/panels.h"
 #include "app/workspace/commands.h"
+#include "core/io/volume_writer.h"
+#include "core/phantom/phantom.h"
 #include "tests/app/session_support.h"
 #include "tests/support/imgui_test.h"
+#include "tests/support/temp_folder.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -115,7 +118,7 @@ TEST_F(SidePanel, TheEquationsParametersComeFirst) {
 // Nothing that comes and goes moves a row: neither work, nor a result, nor what is said of it.
 TEST_F(SidePanel, NoRowShiftsWhileAScanIsOpenedAndASurfaceMade) {
   std::map<std::string, WidgetRects::Rect> before;
-  const Step steps[] = {Step::classify, Step::surface, Step::skin, Step::output};
+  const Step steps[] = {Step::volume, Step::classify, Step::surface, Step::skin, Step::output};
   for (const Step step : steps) {
     open(step);
     before.insert(rects.byName.begin(), rects.byName.end());
@@ -142,6 +145,44 @@ TEST_F(SidePanel, NoRowShiftsWhileAScanIsOpenedAndASurfaceMade) {
     open(step);
     compare(" when it is there");
   }
+}
+
+// What is hidden until it is asked for lies below what is seen before.
+TEST_F(SidePanel, OpeningAHeadingMovesNothingAboveItNorOutOfThePanel) {
+  makeSurface();
+  for (const Step step : kSteps) {
+    open(step);
+    const auto closed = rects.byName;
+    for (const auto& [name, heading] : closed) {
+      if (!name.starts_with("foldout.")) continue;
+      click(name);
+      for (const auto& [other, rect] : closed) {
+        if (rect.min.y >= heading.min.y && other != "surface.reconstruct") continue;
+        EXPECT_EQ(rects.byName.at(other).min.y, rect.min.y) << other << " by " << name;
+      }
+      click(name);
+    }
+  }
+}
+
+TEST_F(SidePanel, WhatIsSimulatedIsNoneOfAFilesParameters) {
+  open(Step::volume);
+  EXPECT_TRUE(rects.byName.contains("phantom.dims"));
+  const test::TempFolder folder;
+  writeScan(folder / "scan.nrrd", makePhantomScan(test::tinySurface().phantom));
+  workspace.session.openFile(folder / "scan.nrrd");
+  ASSERT_TRUE(test::wait(workspace.session));
+  frames(2);
+  EXPECT_TRUE(rects.byName.contains("scan.spacing"));
+  EXPECT_FALSE(rects.byName.contains("phantom.dims"));
+  EXPECT_FALSE(rects.byName.contains("phantom.simulate"));
+}
+
+TEST_F(SidePanel, SimulatingAgainAsksBeforeASurfaceIsLost) {
+  makeSurface();
+  open(Step::volume);
+  click("phantom.simulate");
+  EXPECT_TRUE(workspace.question);
 }
 
 TEST_F(SidePanel, ToastsLieOverTheParametersAlone) {
