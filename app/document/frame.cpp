@@ -37,6 +37,17 @@ void takeIn(Frame& frame, Results fresh, const MeshOrigin& origin, const FaceOpt
   frame.results = std::move(fresh);
 }
 
+Results withSurfaceOf(Results results, const Results& others) {
+  results.mesh = others.mesh;
+  results.pieces = others.pieces;
+  results.parts = others.parts;
+  results.verdicts = others.verdicts;
+  results.centres = others.centres;
+  results.isFinal = others.isFinal;
+  if (others.face) results.face = others.face;
+  return results;
+}
+
 StageKeys keysOf(const Document& document, const Frame& frame) {
   return stageKeys(frame.scan.key, document.erased.key(), document.parameters);
 }

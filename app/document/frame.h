@@ -35,6 +35,9 @@ struct Frame {
 //   face    by which the warnings are judged
 void takeIn(Frame& frame, Results fresh, const MeshOrigin& origin, const FaceOptions& face);
 
+// withSurfaceOf: results, with the surface of others.
+Results withSurfaceOf(Results results, const Results& others);
+
 // keysOf: of all that the document leads to in this frame.
 StageKeys keysOf(const Document& document, const Frame& frame);
 

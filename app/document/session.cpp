@@ -23,6 +23,7 @@ void Session::adopt(Opened opened) {
   steps_.clear();
   if (opened.isAnother) saved_ = {contentKey(document_.parameters), document_.erased.key(), {}};
   surfaceOwed_ = false;
+  older_.reset();
   asked_ = 0;
   turned_ = document_.reading.mirror;
   warned_.clear();
@@ -160,16 +161,18 @@ void Session::submit(Goal goal) {
   request_ = goal;
   frame_.scan.erased = document_.erased.snapshot();
   frame_.scan.erasedKey = document_.erased.key();
-  requested_ = {recipeParameters(document_), frame_.scan.erased, keysOf(document_, frame_).mesh};
-  Parameters wanted = document_.parameters;
-  wanted.print.form = PrintForm::none;  // a solid is made when it is saved
-  Runner::Request request{frame_.scan, wanted, goal, goal == Goal::classified};
+  const OlderSurface wanted = makesOlder(goal) ? *older_ : OlderSurface{frame_.scan, document_.parameters};
+  const Key mesh = stageKeys(wanted.scan.key, wanted.scan.erasedKey, wanted.parameters).mesh;
+  requested_ = {makesOlder(goal) ? wanted.parameters : recipeParameters(document_), wanted.scan.erased, mesh};
+  Runner::Request request{wanted.scan, wanted.parameters, goal, goal == Goal::classified};
+  request.parameters.print.form = PrintForm::none;  // a solid is made when it is saved
   if (lookedAt_) request.slicesFirst = glm::round(frame_.scan.volume->geometry.toIndex(*lookedAt_));
   runner_.submit(std::move(request));
 }
 
 void Session::reconstruct() {
   ++longJobs_;
+  older_.reset();
   submit(Goal::mesh);
 }
 
@@ -195,9 +198,14 @@ void Session::takeResults() {
   if (!fresh) return;
   if (fresh->classified) answerOwed_ = false;  // else slices alone: the coarse volume follows at once
   const bool askedFor = fresh->mesh && request_ == Goal::mesh, reopened = askedFor && surfaceOwed_;
+  if (makesOlder(request_)) {
+    if (!fresh->mesh) return;  // what the older one is made from is not what is open
+    fresh = withSurfaceOf(frame_.results, *fresh);
+  }
   takeIn(frame_, std::move(*fresh), requested_, document_.parameters.face);
   if (reopened) {
     surfaceOwed_ = false;
+    older_.reset();
     saved_.mesh = frame_.made.key();
   } else if (askedFor) {
     ++reconstructions_;

@@ -38,11 +38,19 @@ struct VolumeChoice {
   std::vector<VolumeEntry> volumes;
 };
 
+// OlderSurface: what the surface of a session was made from that was older than the parameters: a scan, with what was erased
+// of it then.
+struct OlderSurface {
+  Scan scan;
+  Parameters parameters;
+};
+
 // SavedSession: a session file, and whether it is what was left of a program that ended unexpectedly.
 struct SavedSession {
   std::filesystem::path path;
   SessionFile file{};
   bool recovers = false;
+  std::optional<OlderSurface> older{};
 };
 
 // LostVolume: a session whose volume the person is asked for.
@@ -241,6 +249,7 @@ class Session {
   void warnOfMesh();
   void update(Goal goal);
   void submit(Goal goal);
+  bool makesOlder(std::optional<Goal> goal) const { return goal == Goal::mesh && surfaceOwed_ && older_; }
   bool mayFollow() const;
   void takeResults();
   void finishRequest();
@@ -254,6 +263,7 @@ class Session {
   std::optional<LostVolume> lost_;
   std::optional<SavedSession> reopened_;
   bool surfaceOwed_ = false;                  // a session had one, which is to be made again
+  std::optional<OlderSurface> older_;         // from this, and not from the parameters
   int asked_ = 0;                             // the time step that is being read; 0: none
   MirroredAxis turned_ = MirroredAxis::none;  // as asked for last
   std::deque<Scan> steps_;                    // other time steps of the recording, the last one seen first

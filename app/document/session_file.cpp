@@ -46,7 +46,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-// The recipe stands as it is, with what is erased on one line.
+// The recipes stand as they are, with what is erased on one line.
 std::string writeSessionFile(const SessionFile& session) {
   Json json;
   json[kMark] = kFormat;
@@ -56,7 +56,9 @@ std::string writeSessionFile(const SessionFile& session) {
   json["follows"] = session.follows;
   json["views"] = parse(session.views);
   std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
-  text.insert(text.size() - 2, ",\n  \"recipe\": " + std::string(trimmed(session.recipe)));
+  std::string recipes = ",\n  \"recipe\": " + std::string(trimmed(session.recipe));
+  if (!session.surface.empty()) recipes += ",\n  \"surfaceRecipe\": " + std::string(trimmed(session.surface));
+  text.insert(text.size() - 2, recipes);
   return text + "\n";
 }
 
@@ -73,6 +75,7 @@ SessionFile readSessionFile(const std::string& text) {
   require(!session.recipe.empty(), "This session holds no recipe: it is damaged; open another one.");
   session.hasSurface = truthAt(json, "surface", false);
   session.follows = truthAt(json, "follows", true);
+  session.surface = objectAt(json, "surfaceRecipe");
   if (std::string views = objectAt(json, "views"); !views.empty()) session.views = std::move(views);
   return session;
 }

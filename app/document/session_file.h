@@ -13,17 +13,19 @@ namespace sonoskin {
 //   volume      an absolute path; kPhantomInput: the scan is simulated; empty: not told, and the person is asked
 //   recipe      as writeRecipe() makes it, with the volume's fingerprint
 //   hasSurface  whether there was a surface; it is made again
+//   surface     the recipe that it was made by, where it was older than the parameters; else empty
 //   follows     whether it follows the parameters
 //   views       a JSON object, of the window's own; a document does not look into it
 struct SessionFile {
   std::filesystem::path volume;
   std::string recipe;
   bool hasSurface = false, follows = true;
+  std::string surface{};
   std::string views = "{}";
 };
 
 // kMostSessionBytes: of a session's text.
-inline constexpr std::uintmax_t kMostSessionBytes = kMostRecipeBytes + (1u << 20);
+inline constexpr std::uintmax_t kMostSessionBytes = 2 * kMostRecipeBytes + (1u << 20);
 
 // writeSessionFile: the text of a file.
 //   session  recipe and views are JSON objects

@@ -55,6 +55,15 @@ void compareKeys(Reopening& it, const RecipeInput& input) {
   }
 }
 
+// A surface that was older than the parameters is made again from what it was made from.
+void readOlder(Reopening& it) {
+  if (it.saved.file.surface.empty()) return;
+  OlderSurface older{it.opened.scan, {}};
+  const RecipeInput input = readRecipe(it.saved.file.surface, older.parameters);
+  if (auto erased = erasedIn(input, older.scan)) setErased(older.scan, std::move(*erased));
+  it.saved.older = std::move(older);
+}
+
 void reopen(Reopening& it, const Progress& progress) {
   Parameters parameters;
   const RecipeInput input = readRecipe(it.saved.file.recipe, parameters);
@@ -70,6 +79,7 @@ void reopen(Reopening& it, const Progress& progress) {
   }
   if (it.lost.empty()) compareKeys(it, input);
   if (!it.lost.empty()) return;
+  readOlder(it);
   if (auto erased = erasedIn(input, opened.scan)) setErased(opened.scan, std::move(*erased));
   opened.parameters = parameters;
 }
@@ -106,6 +116,7 @@ void Session::adopt(SavedSession saved, Opened opened, const std::string& lost) 
   adopt(std::move(opened));
   follows_ = saved.file.follows;
   surfaceOwed_ = saved.file.hasSurface;
+  older_ = saved.older;
   if (saved.recovers) saved_.content = {};  // nobody has saved it
   reopened_ = std::move(saved);
 }
@@ -122,10 +133,16 @@ std::function<SessionFile()> Session::capture(const std::string& views) {
   file.hasSurface = frame_.results.mesh || surfaceOwed_;
   file.follows = follows_;
   file.views = views;
+  std::optional<OlderSurface> older = older_;
+  if (!surfaceOwed_ && frame_.results.mesh && !meshIsCurrent()) {
+    older = OlderSurface{frame_.scan, frame_.made.parameters};
+    older->scan.erased = frame_.made.erased;
+  }
   return [file, parameters = recipeParameters(document_), key = frame_.scan.key,
-          erased = document_.erased.snapshot()] {
+          erased = document_.erased.snapshot(), older] {
     SessionFile whole = file;
     whole.recipe = writeRecipe(parameters, key, erased.get());
+    if (older) whole.surface = writeRecipe(older->parameters, key, older->scan.erased.get());
     return whole;
   };
 }
