@@ -13,11 +13,16 @@ bool bringsBack(const PaneInput& input) { return input.control || input.shift; }
 PaneInput useEraser(ToolState& state, Workspace& w, const ToolPane& pane) {
   const PaneInput& input = pane.input;
   if (!holdsLeft(input)) return input;
-  if (input.pressed || (state.held && input.moved != glm::vec2(0))) {
-    const glm::dvec3 at = pane.slice->frame.toWorld(glm::dvec2(input.mouse));
+  const auto brushTo = [&](const glm::vec2& mouse) {
+    const glm::dvec3 at = pane.slice->frame.toWorld(glm::dvec2(mouse));
     w.session.erase({state.held ? state.brushAt : at, at, w.view.brushRadius, !bringsBack(input)});
     state.brushAt = at;
     state.held = Tool::eraser;
+  };
+  if (input.pressed || (state.held && input.moved != glm::vec2(0))) {
+    if (state.held)
+      for (const glm::vec2& at : w.view.trail) brushTo(at - input.corner);
+    brushTo(input.mouse);
   }
   return withoutButton(input);
 }
