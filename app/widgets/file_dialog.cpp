@@ -49,11 +49,16 @@ void drawPlaces(FileDialog& dialog) {
     dialog.enter(dialog.folder.parent_path());
 }
 
-// True when an entry was double-clicked: the person is done.
+// Whether the last entry is meant, by a double click or by a key, and not just selected.
+bool isMeant() {
+  return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+}
+
+// True when one of the files is meant: the person is done.
 bool drawEntries(FileDialog& dialog) {
   bool done = false;
   fs::path entered;
-  if (!ImGui::BeginTable("files", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return false;
+  if (!ImGui::BeginTable("files", 2, ImGuiTableFlags_RowBg)) return false;
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 90 * unit());
   for (const FileEntry& entry : dialog.entries) {
@@ -63,12 +68,11 @@ bool drawEntries(FileDialog& dialog) {
     if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, colours().accent);
     if (ImGui::Selectable(shown.c_str(), !entry.folder && entry.name == dialog.name,
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
-      const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-      if (entry.folder && twice) entered = dialog.folder / entry.name;
+      if (entry.folder && isMeant()) entered = dialog.folder / entry.name;
       if (!entry.folder) {
         dialog.name = entry.name;
         dialog.replaceAsked = false;
-        done = twice;
+        done = isMeant();
       }
     }
     noteWidget("file." + entry.name);
@@ -128,11 +132,11 @@ std::optional<FileChoice> drawFileDialog(FileDialog& dialog) {
   drawPath(dialog);
   if (ImGui::Checkbox(tr("All files"), &dialog.allFiles)) dialog.enter(dialog.folder);
   const float bottom = 2.15f * ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("places", {130 * unit(), -bottom});
+  ImGui::BeginChild("places", {130 * unit(), -bottom}, false, ImGuiWindowFlags_NavFlattened);
   drawPlaces(dialog);
   ImGui::EndChild();
   ImGui::SameLine();
-  ImGui::BeginChild("entries", {0, -bottom});
+  ImGui::BeginChild("entries", {0, -bottom}, false, ImGuiWindowFlags_NavFlattened);
   bool done = drawEntries(dialog);
   ImGui::EndChild();
   done |= drawBottom(dialog, text, closed);

@@ -45,6 +45,10 @@ int leavesMenu() {
 
 bool popupIsOpen() { return !ImGui::GetCurrentContext()->OpenPopupStack.empty(); }
 
+bool questionIsOpen() { return popupIsOpen() && !listIsOpen(); }
+
+void leaveField() { ImGui::ClearActiveID(); }
+
 bool mainHasKeys() {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;
   return !window || std::string_view(window->RootWindow->Name) == "main";
@@ -71,7 +75,8 @@ bool focusChild(const char* name) {
 void steerByKeys(const KeySteering& steering) {
   ImGuiIO& io = ImGui::GetIO();
   // Of itself it goes from text field to text field, and past all else.
-  if (mainHasKeys() && !io.WantTextInput) io.KeysDown[ImGui::GetKeyIndex(ImGuiKey_Tab)] = false;
+  if (questionIsOpen() || (mainHasKeys() && !io.WantTextInput))
+    io.KeysDown[ImGui::GetKeyIndex(ImGuiKey_Tab)] = false;
   if (!popupIsOpen() && !steering.widgets) {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     return;
@@ -79,9 +84,25 @@ void steerByKeys(const KeySteering& steering) {
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   if (steering.step > 0) io.NavInputs[ImGuiNavInput_DpadDown] = 1;
   if (steering.step < 0) io.NavInputs[ImGuiNavInput_DpadUp] = 1;
+  if (steering.questionStep != 0) {
+    io.NavInputs[steering.questionStep > 0 ? ImGuiNavInput_DpadRight : ImGuiNavInput_DpadLeft] = 1;
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+    ImGui::GetCurrentContext()->NavDisableMouseHover = true;
+  }
   // This version of ImGui takes the space bar alone for "do it".
   const bool isEnter = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter));
   if (isEnter && !io.WantTextInput) io.NavInputs[ImGuiNavInput_Activate] = 1;
+}
+
+// ImGui looks for the next line right below the last, and finds none beyond a gap: then it is whatever lies nearest there.
+void stepOn() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool sideways = context.NavMoveDir == ImGuiDir_Left || context.NavMoveDir == ImGuiDir_Right;
+  if (!context.NavWindow || !sideways || !questionIsOpen()) return;
+  if (!(context.NavMoveFlags & ImGuiNavMoveFlags_Forwarded))
+    return ImGui::NavMoveRequestTryWrapping(context.NavWindow, ImGuiNavMoveFlags_WrapX);
+  const ImGuiDir on = context.NavMoveDir == ImGuiDir_Right ? ImGuiDir_Down : ImGuiDir_Up;
+  if (ImGui::NavMoveRequestButNoResultYet()) ImGui::NavMoveRequestForward(on, on, 0, 0);
 }
 
 }  // namespace sonoskin::ui

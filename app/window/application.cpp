@@ -173,7 +173,7 @@ Application::FrameWish Application::frame(const FrameInput& input) {
   // An error may have left windows and groups open.
   ImGui::ErrorCheckEndFrameRecover(nullptr);
   // A menu that was asked for opens in the next frame, and is steered some later.
-  return {(keyTakers(workspace_) & ~before) != 0, workspace_.menuAsked ? 6 : 0};
+  return {(keyTakers(workspace_) & ~before) != 0 || widgetKeys_.steps(), workspace_.menuAsked ? 6 : 0};
 }
 
 void Application::afterFrame() {

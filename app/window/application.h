@@ -61,7 +61,7 @@ class Application {
     double screenScale = 1;
   };
   // FrameWish: what it asks for.
-  //   settle  what has opened is to be ready for keys before the next event
+  //   settle  what has opened, or is gone to, is to be ready for keys before the next event
   //   frames  that are to follow at once
   struct FrameWish {
     bool settle = false;

@@ -12,9 +12,6 @@
 namespace sonoskin {
 namespace {
 
-constexpr int kDenseScreen =
-    3200;  // pixels side by side, from which those of a scale of 1 are too small to read
-
 // GLFW reports what went wrong through a function without state of ours: its last words are kept here.
 std::string& lastGlfwError() {
   static std::string text;
@@ -34,11 +31,8 @@ glm::ivec2 fitting(glm::ivec2 size) {
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
   if (!monitor) return size;
   glm::ivec2 place, room;
-  glm::vec2 scale;
   glfwGetMonitorWorkarea(monitor, &place.x, &place.y, &room.x, &room.y);
-  glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
-  if (glm::any(glm::lessThanEqual(room, glm::ivec2(0))) || !(scale.x > 0 && scale.y > 0)) return size;
-  return glm::min(size, glm::ivec2(glm::vec2(room) / scale));
+  return glm::any(glm::lessThanEqual(room, glm::ivec2(0))) ? size : glm::min(size, room);
 }
 
 }  // namespace
@@ -50,16 +44,15 @@ DesktopWindow::DesktopWindow(const std::string& title, glm::ivec2 size, const Wi
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  size = fitting(size);
-  window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  const glm::ivec2 first = fitting(size);
+  window_ = glfwCreateWindow(first.x, first.y, title.c_str(), nullptr, nullptr);
   if (!window_) giveUp("OpenGL 4.5");
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window_, 800, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
   events_.attach(window_);
-  const float wanted = scale() / events_.contentScale();  // the window has the system's scale already
-  if (wanted != 1) glfwSetWindowSize(window_, int(wanted * float(size.x)), int(wanted * float(size.y)));
+  const glm::ivec2 room = fitting(glm::ivec2(scale() * glm::vec2(size)));  // its scale is known only now
+  glfwSetWindowSize(window_, room.x, room.y);
 
   gl::loadGl(glfwGetProcAddress);
   interface_.emplace();
@@ -74,10 +67,9 @@ DesktopWindow::~DesktopWindow() {
 }
 
 float DesktopWindow::screenScale() const {
-  const float told = events_.contentScale();
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-  return told == 1 && mode && mode->width >= kDenseScreen ? 2 : told;
+  return scaleOfScreen(events_.contentScale(), mode ? mode->width : 0);
 }
 
 float DesktopWindow::scale() const { return look_.scale > 0 ? float(look_.scale) : screenScale(); }

@@ -48,9 +48,8 @@ class DesktopWindow {
   std::vector<std::filesystem::path> takeDroppedFiles() { return events_.takeDroppedFiles(); }
   // setLook: from the next frame on.
   void setLook(const WindowLook& look) { look_ = look; }
-  float scale() const;  // in use
-  float screenScale()
-      const;  // what the system tells; 2 on a screen of 3200 pixels and more for which it tells none
+  float scale() const;                 // in use
+  float screenScale() const;           // see scaleOfScreen
   glm::ivec2 size() const;             // in the units of mouse positions
   glm::ivec2 framebufferSize() const;  // in pixels
 

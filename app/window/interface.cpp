@@ -7,6 +7,11 @@
 
 namespace sonoskin {
 
+float scaleOfScreen(float told, int pixelsAcross) {
+  constexpr int kDenseScreen = 3200;  // from which texts of a scale of 1 are too small to read
+  return told == 1 && pixelsAcross >= kDenseScreen ? 2 : told;
+}
+
 Interface::Interface() {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // the layout is computed, there is nothing to remember
@@ -36,6 +41,7 @@ void Interface::beginFrame(const std::optional<Event>& event, double now, const 
 }
 
 void Interface::endFrame(bool seen) {
+  ui::stepOn();
   if (!seen) return ImGui::EndFrame();
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -16,6 +16,10 @@ struct WindowLook {
   friend bool operator==(const WindowLook&, const WindowLook&) = default;
 };
 
+// scaleOfScreen: of texts and widgets on a screen for which the system tells a scale; it tells 1 where it knows none, and then
+// a screen of 3200 pixels and more across has 2.
+float scaleOfScreen(float told, int pixelsAcross);
+
 // Interface: Dear ImGui on the OpenGL context that is current, told one event a frame. Whose window it lies in, or whether in any,
 // is nothing to it.
 //   threads  that of the context, which must outlive it

@@ -26,6 +26,12 @@ bool WidgetKeys::takeTab(bool back) {
 }
 
 bool WidgetKeys::take(const Event& event) {
+  const bool tab = event.kind == Event::Kind::key && event.down && event.code == GLFW_KEY_TAB;
+  if (tab && ui::questionIsOpen()) {
+    ui::leaveField();
+    questionStep_ = event.shift ? -1 : 1;
+    return true;
+  }
   if (event.kind == Event::Kind::button && event.down) on_ = false;
   if (event.kind != Event::Kind::key || !event.down || ImGui::GetIO().WantTextInput) return false;
   if (ui::popupIsOpen() || !ui::mainHasKeys()) return false;
@@ -34,6 +40,8 @@ bool WidgetKeys::take(const Event& event) {
   return on_ && !event.control && !event.alt && std::ranges::find(kSteering, event.code) != kSteering.end();
 }
 
-ui::KeySteering WidgetKeys::forFrame() { return {on_, std::exchange(step_, 0)}; }
+ui::KeySteering WidgetKeys::forFrame() {
+  return {on_, std::exchange(step_, 0), std::exchange(questionStep_, 0)};
+}
 
 }  // namespace sonoskin

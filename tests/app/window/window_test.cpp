@@ -159,18 +159,26 @@ TEST_F(WindowTest, SavesMeshFromTheDialog) {
   EXPECT_FALSE(d.workspace().files.purpose);
 }
 
-// The size of a larger screen was remembered.
+// The size of a larger screen was remembered, or one that is too large at another scale.
 TEST_F(WindowTest, IsNotLargerThanTheScreen) {
-  driver.reset();  // writes the settings
-  Settings settings = readSettings(settingsFile());
-  settings.width = settings.height = 4000;
-  writeSettings(settingsFile(), settings);
-  driver = std::make_unique<Driver>(smallPhantom());
-  driver->frames(3);
-  const ImVec2 size = ImGui::GetMainViewport()->Size;
-  EXPECT_LE(size.x, 1600);
-  EXPECT_LE(size.y, 1000);
-  EXPECT_GE(size.y, 900);
+  struct Remembered {
+    int width, height;
+    double scale;
+  };
+  for (const Remembered& remembered : {Remembered{4000, 4000, 0}, Remembered{1500, 940, 2}}) {
+    driver.reset();  // writes the settings
+    Settings settings = readSettings(settingsFile());
+    settings.width = remembered.width;
+    settings.height = remembered.height;
+    settings.scale = remembered.scale;
+    writeSettings(settingsFile(), settings);
+    driver = std::make_unique<Driver>(smallPhantom());
+    driver->frames(3);
+    const ImVec2 size = ImGui::GetMainViewport()->Size;
+    EXPECT_LE(size.x, 1600);
+    EXPECT_LE(size.y, 1000);
+    EXPECT_GE(size.y, 900);
+  }
 }
 
 int messagesWith(const Driver& d, const std::string& words) {
