@@ -64,8 +64,10 @@ TEST(WriteMesh, InRasAndMetresWhereTheFormatLeavesThemOpen) {
     writeMesh(folder / name, mesh, other);
     Mesh read = readMesh(folder / name);
     const bool open = leavesPlacementOpen(*formatNamed(FileKind::writtenMesh, name));
-    if (open) EXPECT_NE(fileText(folder / name).find("units m, SPACE=RAS"), std::string::npos) << name;
-    if (open) scaleMesh(read, 1000);
+    if (open) {
+      EXPECT_NE(fileText(folder / name).find("units m, SPACE=RAS"), std::string::npos) << name;
+      scaleMesh(read, 1000);
+    }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)  // RAS is read back as LPS
       ASSERT_LT(glm::distance(mesh.positions[mesh.triangles[t][0]], read.positions[read.triangles[t][0]]),
                 1e-3f)
