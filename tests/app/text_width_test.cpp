@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "app/panels/command_palette.h"
+#include "app/panels/export_dialog.h"
 #include "app/panels/panels.h"
+#include "app/panels/sheet_window.h"
 #include "app/panels/tour.h"
 #include "app/texts/texts.h"
 #include "app/widgets/file_dialog.h"
@@ -178,6 +180,8 @@ class WindowWidth : public TextWidth {
     drawDropped(workspace);
     drawRecovery(workspace);
     drawLog(workspace);
+    sheet.draw(workspace, {});
+    exports.draw(workspace);
     tour.draw(workspace);
     drawFileDialog(workspace.files);
   }
@@ -192,6 +196,8 @@ class WindowWidth : public TextWidth {
 
   std::vector<ShownPane> panes;
   TourWindow tour;
+  SheetWindow sheet;
+  ExportDialog exports;
 };
 
 TEST_P(WindowWidth, HasRoomForMenus) {
@@ -237,7 +243,7 @@ TEST_P(WindowWidth, HasRoomForQuestions) {
     workspace.pictureRequest = PictureRequest{turntable};
     expectFitOnce("picture");
   }
-  for (int purpose = 0; purpose <= int(FilePurpose::saveTurntable); ++purpose) {
+  for (int purpose = 0; purpose <= int(FilePurpose::saveReport); ++purpose) {
     workspace.files.ask(FilePurpose(purpose), "/", "");
     workspace.files.complaint = tr("There is no file of that name here; choose one of the list.");
     workspace.files.replaceAsked = purpose % 2 == 0;
@@ -246,6 +252,19 @@ TEST_P(WindowWidth, HasRoomForQuestions) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     frames(2);
   }
+}
+
+TEST_P(WindowWidth, HasRoomForWhatIsExported) {
+  makeSurface();
+  workspace.exportShown = true;
+  frames(3);
+  for (const ExportItem& item : exportItems()) {
+    click(std::string("export.") + item.id);
+    expectFit(item.id);
+  }
+  workspace.exportShown = false;
+  workspace.sheetShown = true;
+  expectFitOnce("contact sheet");
 }
 
 // What a narrow line has no room for is left out.
