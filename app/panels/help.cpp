@@ -83,6 +83,13 @@ float placeWidth(std::span<const HelpLine> lines) {
   return width + 1;
 }
 
+// Of the middle column, without scale.
+float keyWidth(std::span<const HelpLine> lines) {
+  float width = 0;
+  for (const HelpLine& line : lines) width = std::max(width, ImGui::CalcTextSize(line.what.c_str()).x);
+  return width / unit() + 1;
+}
+
 // Lines in a table; a place is named where it begins.
 //   what  how wide the middle column is, without scale
 void drawLines(const char* id, std::span<const HelpLine> lines, float what) {
@@ -120,8 +127,9 @@ void drawAll(const std::string& words) {
   drawLines("mouse", mouse, 180);
   const std::span all(keys);
   const std::size_t half = (all.size() + 1) / 2;
-  drawLines("keys", all.first(half), 90);
-  drawLines("more keys", all.subspan(half), 90);
+  const float widest = keyWidth(all);
+  drawLines("keys", all.first(half), widest);
+  drawLines("more keys", all.subspan(half), widest);
   ImGui::EndTable();
 }
 

@@ -110,7 +110,7 @@ void drawFacts(const Session& session) {
   const Scan& scan = session.scan();
   const Geometry& g = scan.volume->geometry;
   const glm::dvec3 size = g.spacing * glm::dvec3(g.dims);
-  fact(tr("Name"), session.name());
+  fact(tr("Name"), session.isPhantom() ? tr("Phantom") : session.name());
   fact(tr("Voxels"), fmt::format("{} × {} × {}", g.dims.x, g.dims.y, g.dims.z));
   const std::string spacing = fmt::format("{} × {} × {} mm", millimetres(g.spacing.x),
                                           millimetres(g.spacing.y), millimetres(g.spacing.z));

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
 #include "app/texts/texts.h"
@@ -30,7 +32,8 @@ std::string progressText(const Activity& activity, DocumentState state) {
 
 // One line that is always there, so that nothing moves when work begins and ends.
 void drawProgress(Workspace& workspace, const Activity& activity) {
-  const float cancel = 78 * unit();
+  const float words = std::max(ImGui::CalcTextSize(tr("Cancel")).x, ImGui::CalcTextSize(tr("Continue")).x);
+  const float cancel = std::max(78 * unit(), words + 2 * ImGui::GetStyle().FramePadding.x);
   const DocumentState state = workspace.session.state();
   const bool settled =
       state == DocumentState::current || state == DocumentState::empty || state == DocumentState::noSurface;

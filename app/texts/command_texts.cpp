@@ -140,7 +140,7 @@ const Text kTexts[] = {
   {"PgUp", "Bild auf", "Pg préc"},
   {"PgDn", "Bild ab", "Pg suiv"},
   {"Ctrl+", "Strg+", "Ctrl+"},
-  {"Shift+", "Umschalt+", "Maj+"},
+  {"Shift+", "Umsch+", "Maj+"},
   {"Contact sheet...", "Kontaktbogen …", "Planche-contact…"},
   {"Compare them in 3D, with one camera", "In 3D vergleichen, mit einer Kamera", "Comparer en 3D, avec une seule caméra"},
   {"Oblique slice, 3D and three planes", "Schrägschnitt, 3D und drei Ebenen", "Coupe oblique, 3D et trois plans"},
@@ -151,6 +151,7 @@ const Text kTexts[] = {
   {"Turn by 5° to the right", "Um 5° nach rechts drehen", "Tourner de 5° à droite"},
   {"Roll by 5° clockwise", "Um 5° im Uhrzeigersinn rollen", "Rouler de 5° en sens horaire"},
   {"Roll by 5° counter-clockwise", "Um 5° gegen den Uhrzeigersinn rollen", "Rouler de 5° en sens antihoraire"},
+  {"Recording", "Aufzeichnung", "Enregistrement"},
 };
 // clang-format on
 

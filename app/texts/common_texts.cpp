@@ -82,7 +82,7 @@ const Text kTexts[] = {
   {"Slices", "Schnittbilder", "Coupes"},
   {"Layout", "Anordnung", "Disposition"},
   {"Planes", "Ebenen", "Plans"},
-  {"Scale", "Skalierung", "Échelle"},
+  {"Appearance", "Darstellung", "Apparence"},
   {"Language", "Sprache (Language)", "Langue (Language)"},
   {"All values", "Alle Werte", "Toutes"},
   {"Automatic", "Automatisch", "Automatique"},
@@ -111,6 +111,18 @@ const Text kTexts[] = {
   {"{} points", "{} Punkte", "{} points"},
   {"Mirror", "Spiegeln", "Miroir"},
   {"Position", "Ort", "Position"},
+  {"Phantom", "Phantom", "Fantôme"},
+  {"voxels", "Voxel", "voxels"},
+  {"1/voxel", "1/Voxel", "1/voxel"},
+  {"degrees", "Grad", "degrés"},
+  {"times", "fach", "fois"},
+  {"spacings", "Abstände", "pas"},
+  {"cells", "Zellen", "cellules"},
+  {"steps", "Schritte", "étapes"},
+  {"triangles", "Dreiecke", "triangles"},
+  {"centres", "Zentren", "centres"},
+  {"terms", "Terme", "termes"},
+  {"bytes", "Bytes", "octets"},
 };
 // clang-format on
 

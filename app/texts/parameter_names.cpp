@@ -128,6 +128,7 @@ const Text kTexts[] = {
   {"Voxel", "Voxel", "Voxel"},
   {"Region only", "Nur Bildbereich", "Image seule"},
   {"Half", "Halbe Auflösung", "Demi-résolution"},
+  {"Scale", "Maßstab", "Échelle"},
 };
 // clang-format on
 

@@ -110,7 +110,7 @@ bool closeRow(const FieldRow& row, bool differs) {
 }
 
 std::string withUnit(const std::string& number, const Field& field) {
-  return field.unit.empty() ? number : fmt::format("{} {}", number, field.unit);
+  return field.unit.empty() ? number : fmt::format("{} {}", number, tr(field.unit));
 }
 
 std::string rangeText(const std::string& from, const std::string& to, const std::string& standard) {

@@ -84,8 +84,9 @@ bool numberBox(const NumberTrack& track) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     ImGui::SetTooltip("%s", tr("Click to type a number"));
   }
-  const bool per = track.unit.starts_with("1/");  // "0.1 /voxel": room is scarce
-  const std::string unitText = track.unit.empty() ? "" : " " + track.unit.substr(per ? 1 : 0);
+  const std::string unit = tr(std::string_view(track.unit));
+  const bool per = unit.starts_with("1/");  // "0.1 /voxel": room is scarce
+  const std::string unitText = unit.empty() ? "" : " " + unit.substr(per ? 1 : 0);
   const float unitWidth = ImGui::CalcTextSize(unitText.c_str()).x;
   const float y = min.y + ImGui::GetStyle().FramePadding.y, right = max.x - 4 * ui::unit();
   const float width = ImGui::CalcTextSize(track.shown.c_str()).x + unitWidth;

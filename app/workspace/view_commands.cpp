@@ -43,14 +43,18 @@ void editColours(W& w) {
   w.view.volumeStyle = VolumeStyle::translucent;
 }
 
+constexpr const char* kRecording = "Recording";
+
 // clang-format off
 const Command kCommands[] = {
   {"view.resetCamera", "Look at the face", Menu::view, key(GLFW_KEY_R), [](W& w) { w.lookAtFace(); }, hasScan},
   {"view.resetAll", "Reset all views", Menu::view, controlShift(GLFW_KEY_R), showAll, hasScan},
   {"view.play", "Play the recording", Menu::view, key(GLFW_KEY_SPACE), [](W& w) { play(w, !w.play.on); }, hasSteps,
-   [](const W& w) { return w.play.on; }, true},
-  {"view.nextStep", "Next time step", Menu::view, key(GLFW_KEY_PERIOD), [](W& w) { stepBy(w, 1); }, hasSteps},
-  {"view.previousStep", "Time step before", Menu::view, key(GLFW_KEY_COMMA), [](W& w) { stepBy(w, -1); }, hasSteps},
+   [](const W& w) { return w.play.on; }, true, kRecording},
+  {"view.nextStep", "Next time step", Menu::view, key(GLFW_KEY_PERIOD), [](W& w) { stepBy(w, 1); }, hasSteps,
+   nullptr, false, kRecording},
+  {"view.previousStep", "Time step before", Menu::view, key(GLFW_KEY_COMMA), [](W& w) { stepBy(w, -1); }, hasSteps,
+   nullptr, false, kRecording},
   {"view.raw", "Slices: raw", Menu::view, key(GLFW_KEY_1), [](W& w) { w.view.layer = SliceLayer::raw; }, hasScan,
    [](const W& w) { return w.view.layer == SliceLayer::raw; }, true},
   {"view.classified", "Slices: classified", Menu::view, key(GLFW_KEY_2),

@@ -203,6 +203,11 @@ class WindowWidth : public TextWidth {
 TEST_P(WindowWidth, HasRoomForMenus) {
   for (std::size_t menu = 0; menu < kMenuTitles.size(); ++menu) {
     workspace.menuAsked = Menu(menu);
+    frames(4);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      const bool isMenu = window->Active && (window->Flags & ImGuiWindowFlags_ChildMenu);
+      EXPECT_EQ(isMenu ? window->ScrollMax.y : 0, 0) << kMenuTitles[menu] << " is higher than the window";
+    }
     expectFitOnce(kMenuTitles[menu]);
   }
 }

@@ -134,8 +134,8 @@ def add_options(texts):
                 if comma:
                     given.append("")
             line = path.read_text(encoding="utf-8").count("\n", 0, match.start()) + 1
-            for text in (field_name(given[0]), *given[1:2]):
-                if text not in NAMES and (text[0].isupper() or " " in text):
+            for text in (field_name(given[0]), *given[1:3]):
+                if text not in NAMES and (re.match("[A-Z].", text) and text != "EV" or " " in text or re.search("[a-z]{4}", text)):
                     texts.setdefault(text, Literal(path, line, text, []))
 
 
