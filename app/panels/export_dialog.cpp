@@ -159,10 +159,10 @@ void ExportDialog::drawPlacement() {
     MeshPlacement& placement = plan_->placement;
     int frame = int(placement.frame), unitOf = int(placement.unit);
     beginRow(tr("Frame"));
-    segments("frame", {tr("LPS (DICOM, ITK)"), tr("RAS")}, frame);
+    segments("frame", {"LPS (DICOM, ITK)", "RAS"}, frame);
     noteWidget("export.frame");
     beginRow(tr("Unit"));
-    segments("unit", {tr("mm"), tr("m")}, unitOf);
+    segments("unit", {"mm", "m"}, unitOf);
     noteWidget("export.unit");
     placement = {MeshFrame(frame), MeshUnit(unitOf)};
     return;

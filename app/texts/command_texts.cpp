@@ -141,7 +141,6 @@ const Text kTexts[] = {
   {"PgDn", "Bild ab", "Pg suiv"},
   {"Ctrl+", "Strg+", "Ctrl+"},
   {"Shift+", "Umsch+", "Maj+"},
-  {"Contact sheet...", "Kontaktbogen …", "Planche-contact…"},
   {"Compare them in 3D, with one camera", "In 3D vergleichen, mit einer Kamera", "Comparer en 3D, avec une seule caméra"},
   {"Oblique slice, 3D and three planes", "Schrägschnitt, 3D und drei Ebenen", "Coupe oblique, 3D et trois plans"},
   {"Oblique slice", "Schrägschnitt", "Coupe oblique"},

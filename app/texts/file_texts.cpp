@@ -83,7 +83,6 @@ const Text kTexts[] = {
    "Hier gibt es keine Datei dieses Namens; wählen Sie eine aus der Liste.",
    "Aucun fichier de ce nom ici ; choisissez-en un dans la liste."},
   {"Saved {}", "Gespeichert: {}", "Enregistré : {}"},
-  {"Save contact sheet", "Kontaktbogen speichern", "Enregistrer la planche-contact"},
 };
 // clang-format on
 

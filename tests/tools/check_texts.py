@@ -153,7 +153,7 @@ def add_presets(texts):
 
 
 # Looks like a text and is none.
-NAMES = {"Side", "RLAPIS", "US", "CT", "MR", "refined light", "more light", "more keys", "mouse"}
+NAMES = {"Side", "RAS", "RLAPIS", "US", "CT", "MR", "refined light", "more light", "more keys", "mouse"}
 
 
 def word_tables(texts):
