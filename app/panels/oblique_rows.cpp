@@ -57,7 +57,7 @@ void drawObliqueNumbers(Workspace& workspace) {
   ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered));
   ImGui::PushStyleColor(ImGuiCol_FrameBgActive, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   for (const Number& number : kNumbers) {
-    float shown = std::round(10 * float(angles.*number.angle)) / 10 + 0.0f;  // 0, not -0
+    float shown = std::round(float(angles.*number.angle)) + 0.0f;  // 0, not -0
     ImGui::SetNextItemWidth(widthOf(number));
     const std::string id = std::string("##") + number.id;
     if (ImGui::DragFloat(id.c_str(), &shown, 0.5f, -number.most, number.most, tr(number.format),

@@ -8,6 +8,7 @@
 #include "app/views/layouts.h"
 #include "app/views/use_tool.h"
 #include "app/workspace/shown_layers.h"
+#include "core/base/free_memory.h"
 
 namespace sonoskin::ui {
 namespace {
@@ -96,6 +97,7 @@ void makeCasts(FourUp& views, const Workspace& w) {
     views.scans.raw = {};
     views.scans.classified = {};
     views.scans.thinned = {};
+    returnFreeMemory();
   }
 }
 
@@ -123,13 +125,13 @@ std::vector<SpaceWindow*> spaceWindows(FourUp& views, const Cells& cells) {
 }
 
 // This frame's time among them.
-void shareTime(std::span<SpaceWindow* const> windows, MovingBudget& budget, double frameSeconds) {
+void shareTime(std::span<SpaceWindow* const> windows, SharedTime& time, double frameSeconds) {
   std::vector<SharingView> sharing;
   for (SpaceWindow* window : windows)
-    sharing.push_back({std::exchange(window->pictureSeconds, 0), window->steered,
+    sharing.push_back({std::exchange(window->pictureSeconds, 0), window->draftSeconds, window->steered,
                        window->picture && window->state.unfinished});
   std::vector<FrameShare> shares(windows.size());
-  shareFrame(sharing, frameSeconds, budget, shares);
+  shareFrame(sharing, frameSeconds, time, shares);
   for (std::size_t n = 0; n < windows.size(); ++n) windows[n]->share = shares[n];
 }
 
@@ -157,7 +159,7 @@ double drawFourUp(FourUp& views, Workspace& workspace) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), area = ImGui::GetContentRegionAvail();
   const Cells cells = shownCells(workspace, corner, area);
   const std::vector<SpaceWindow*> windows = spaceWindows(views, cells);
-  shareTime(windows, views.budget, workspace.view.frameSeconds);
+  shareTime(windows, views.time, workspace.view.frameSeconds);
   double next = -1;
   for (const Cell& cell : cells) next = sooner(next, drawCell(views, workspace, cell));
   if (cells.size() > 1) drawDividers(workspace.settings.layout, corner, area);

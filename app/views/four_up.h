@@ -22,7 +22,7 @@ struct FourUp {
   std::array<SliceWindow, 3> compared;  // by SliceLayer
   SpaceWindow space;
   std::unique_ptr<std::array<SpaceWindow, 3>> casts;  // by SliceLayer, while they are compared
-  MovingBudget budget;                                // of all that show 3D
+  SharedTime time;                                    // of all that show 3D
   DoubleClick clicks;
   std::vector<ShownPane> shown;  // in the last frame
 };

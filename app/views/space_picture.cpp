@@ -174,6 +174,7 @@ void redraw(SpaceWindow& window, GpuScans& scans, const Workspace& w, const Sket
   drawScene(window, scans, w, sketch);
   window.timer->end();
   window.pictureSeconds = window.timer->seconds();
+  if (window.state.moving) window.draftSeconds = window.pictureSeconds;
   window.state.light = shownLight(window, w);
   if (sketch.samples > 1 || lighting || window.state.lighting()) return;
   const double pixels = double(sketch.size.x) * sketch.size.y * double(sketch.rows.y - sketch.rows.x);
@@ -221,6 +222,7 @@ void refresh(SpaceWindow& window, GpuScans& scans, Workspace& workspace, glm::iv
     state.sampling = Sampling::none;
     window.castRows = 0;
   }
+  if (state.moving && !window.share.draws && window.picture) return;
   const Sampling wanted = nextSampling(window, workspace, whole);
   if (!state.lighting() && state.sampling >= wanted) return;
   if (wanted > Sampling::draft && !window.share.refines) return;

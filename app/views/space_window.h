@@ -48,6 +48,7 @@ struct SpaceWindow {
   double secondsPerPixel = 1e-6;  // of the last draw
   bool costKnown = false;         // that draw was one of the same objects
   double pictureSeconds = 0;      // of a picture in the last frame
+  double draftSeconds = 0;        // of the last draft of something that moved
   FrameShare share;
   bool steered = false;  // something moves in this view itself
   double restsAt = 0;    // ImGui's time when a wheel's turn counts as over
