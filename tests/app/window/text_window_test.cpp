@@ -45,9 +45,11 @@ class TextWindow : public WindowTest {
       expectFit(language + " skin");
     }
     w.view.skin.compare = SkinCompare::off;
-    w.sheetShown = true;
-    expectFit(language + " contact sheet");
-    w.sheetShown = false;
+    for (bool* shown : {&w.sheetShown, &w.exportShown}) {
+      *shown = true;
+      expectFit(language + (shown == &w.exportShown ? " export" : " contact sheet"));
+      *shown = false;
+    }
   }
 };
 
