@@ -151,6 +151,7 @@ const Text kTexts[] = {
   {"Roll by 5° clockwise", "Um 5° im Uhrzeigersinn rollen", "Rouler de 5° en sens horaire"},
   {"Roll by 5° counter-clockwise", "Um 5° gegen den Uhrzeigersinn rollen", "Rouler de 5° en sens antihoraire"},
   {"Recording", "Aufzeichnung", "Enregistrement"},
+  {"{}: {}", "{}: {}", "{} : {}"},
 };
 // clang-format on
 

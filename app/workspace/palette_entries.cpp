@@ -101,7 +101,7 @@ std::vector<PaletteEntry> paletteEntries(std::string_view words, const Workspace
 }
 
 std::string commandTitle(const Command& c) {
-  return c.submenu ? fmt::format("{}: {}", tr(c.submenu), tr(c.title)) : tr(c.title);
+  return c.submenu ? trf("{}: {}", tr(c.submenu), tr(c.title)) : tr(c.title);
 }
 
 const char* whatLacks(const Command& command, const Workspace& workspace) {
