@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -53,16 +52,8 @@ std::string explanationOf(const Results& results, double share) {
   return text + " " + tr("Drag to set one iso-value for the whole scan from there.");
 }
 
-// The words of the rows, where the field's own name says little.
-const std::map<std::string_view, const char*> kLabels{
-    {"isoValue", "Iso-value"},          {"alpha", "Suppression"},        {"beta", "Smoothing"},
-    {"gamma", "Edge strength"},         {"isoShare", "Iso share"},       {"lowPass", "Noise filter"},
-    {"gradientReference", "Full edge"}, {"gradientFloor", "Edge floor"}, {"gradientSource", "Edges from"},
-    {"tangentialLength", "Length"},     {"directionScale", "Direction"}};
-
 RowText rowText(const Workspace& workspace, const Parameters& parameters, std::string_view field) {
   RowText text = useOf(parameters, "classification")(field);
-  if (const auto label = kLabels.find(field); label != kLabels.end()) text.label = tr(label->second);
   if (field == "isoValue" && parameters.classification.isoValue == 0) {
     text.shown = tr("auto");
     const Results& results = workspace.session.results();

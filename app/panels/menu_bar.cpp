@@ -36,7 +36,10 @@ class Submenus {
     const bool same = submenu && title_ && std::string_view(submenu) == title_;
     if (!same) close();
     if (separator && (!same || open_)) ImGui::Separator();
-    if (!same) open_ = !submenu || ImGui::BeginMenu(trId(submenu).c_str());
+    if (!same) {
+      open_ = !submenu || ImGui::BeginMenu(trId(submenu).c_str());
+      if (submenu) noteWidget(std::string("submenu.") + submenu);
+    }
     title_ = submenu;
     return open_;
   }

@@ -86,6 +86,10 @@ double SheetWindow::draw(Workspace& w, const ContextFor& contextFor) {
       ImGui::EndChild();
     }
     ImGui::End();
+    if (!w.sheetShown && busy())
+      w.toasts.add(
+          tr("The contact sheet goes on behind the window; File, Contact sheet shows it and can cancel it."),
+          false);
   }
   return busy() ? kBusySeconds : -1;
 }

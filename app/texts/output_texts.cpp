@@ -32,6 +32,9 @@ const Text kTexts[] = {
    "das zurück.",
    "La même image pour chaque paire de valeurs, côte à côte. Un clic sur l’une d’elles reprend ses valeurs ; Ctrl+Z "
    "annule."},
+  {"The contact sheet goes on behind the window; File, Contact sheet shows it and can cancel it.",
+   "Der Kontaktabzug wird im Hintergrund weiter erstellt; Datei, Kontaktabzug zeigt ihn und kann ihn abbrechen.",
+   "La planche-contact continue en arrière-plan ; Fichier, Planche-contact la montre et peut l’annuler."},
   {"The contact sheet is made: File, Contact sheet.",
    "Der Kontaktabzug ist fertig: Datei, Kontaktabzug.",
    "La planche-contact est prête : Fichier, Planche-contact."},

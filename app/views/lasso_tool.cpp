@@ -81,6 +81,9 @@ void letGoLasso(ToolState& state, Workspace& w, const ToolPane& pane) {
 }
 
 void drawLasso(const ToolState& state, const Workspace&, const ToolPane& pane) {
+  if (!state.held)
+    shadedLines(pane.input, {tr("draw around what is to go   Ctrl: bring back"),
+                             tr("Shift: keep that alone   Esc: done")});
   if (!state.held || state.outline.size() < 2) return;
   std::vector<ImVec2> points;
   for (const glm::vec2& p : state.outline)

@@ -11,7 +11,18 @@
 
 namespace sonoskin::ui {
 
+namespace {
+
+// What a field is called where its own name says little.
+const std::map<std::string_view, const char*> kLabels{
+    {"isoValue", "Iso-value"},          {"alpha", "Suppression"},        {"beta", "Smoothing"},
+    {"gamma", "Edge strength"},         {"isoShare", "Iso share"},       {"lowPass", "Noise filter"},
+    {"gradientReference", "Full edge"}, {"gradientFloor", "Edge floor"}, {"gradientSource", "Edges from"}};
+
+}  // namespace
+
 std::string fieldName(const Field& field) {
+  if (const auto label = kLabels.find(field.name); label != kLabels.end()) return label->second;
   std::string label;
   for (const char c : field.name) {
     if (std::isupper(static_cast<unsigned char>(c))) label += ' ';

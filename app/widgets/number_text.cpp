@@ -4,13 +4,15 @@
 
 #include <cmath>
 
+#include "app/texts/texts.h"
+
 namespace sonoskin::ui {
 
 std::string grouped(std::size_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
   for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += tr(",");
     text += digits[i];
   }
   return text;

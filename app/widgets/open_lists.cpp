@@ -16,8 +16,13 @@ int openLists() {
   return asks ? 0 : open.Size;
 }
 
-void closeList() {
-  if (listIsOpen()) ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
+// One alone would open again where the mouse rests on its line.
+void closeLists() {
+  const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  int level = open.Size;
+  while (level > 0 && !(open[level - 1].Window && (open[level - 1].Window->Flags & ImGuiWindowFlags_Modal)))
+    --level;
+  if (level < open.Size) ImGui::ClosePopupToLevel(level, true);
 }
 
 // The highlight of the keyboard is shown at once, and the mouse, which may rest on another menu, is not looked at until it moves.

@@ -4,10 +4,11 @@ namespace sonoskin::ui {
 
 // Menus, lists of choices and small windows that close when something else is clicked: not the questions that must be answered.
 
-// openLists: how many of them, and of questions below them, are open; 0 where none of them lies on top. closeList: the one on top.
+// openLists: how many of them, and of questions below them, are open; 0 where none of them lies on top. closeLists: all
+// above the last question.
 int openLists();
 inline bool listIsOpen() { return openLists() > 0; }
-void closeList();
+void closeLists();
 
 // openMenu: the menu of that title, with the keyboard on its first entry; inside the menu bar.
 void openMenu(const char* title);

@@ -35,8 +35,7 @@ bool MenuKeys::take(const Event& event, Workspace& workspace) {
   const bool alone = altAlone(event);
   if (event.kind != Event::Kind::key) return false;
   if (lists_ > 0) {
-    // ImGui may have closed it already.
-    if (event.down && event.code == GLFW_KEY_ESCAPE && ui::openLists() == lists_) ui::closeList();
+    if (event.down && event.code == GLFW_KEY_ESCAPE) ui::closeLists();
     return true;
   }
   std::optional<Menu> asked;

@@ -175,7 +175,7 @@ TEST(FieldText, ParametersWithSymbolsHaveTheirEquations) {
 
 TEST(FieldText, LabelsAndNumbers) {
   EXPECT_EQ(fieldLabel({"tangentialLength", ""}), "Tangential length");
-  EXPECT_EQ(fieldLabel({"alpha", ""}), "Alpha");
+  EXPECT_EQ(fieldLabel({"alpha", ""}), "Suppression") << "what it is called in its row";
   EXPECT_EQ(greekSymbol("alpha"), "α");
   EXPECT_EQ(greekSymbol("v_iso"), "v_iso");
   EXPECT_EQ(fieldNumber(5e-5, {1e-6, 1e-3, true}), "5.00e-05");

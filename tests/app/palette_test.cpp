@@ -43,6 +43,7 @@ TEST(Palette, FindsWhatIsMeant) {
                                                        {"open ph", "file.phantom"},
                                                        {"help about", "help.about"},
                                                        {"beta", "classification.beta"},
+                                                       {"edge str", "classification.gamma"},
                                                        {"v_iso", "classification.isoValue"},
                                                        {"iso val", "classification.isoValue"}};
   for (const auto& [words, id] : meant) {

@@ -36,6 +36,23 @@ TEST_F(WindowTest, MenusOpenByKeysAndEscapeClosesThemAlone) {
   EXPECT_FALSE(d.workspace().keysShown);
 }
 
+// The mouse that rests on the line of an inner menu does not open it again.
+TEST_F(WindowTest, EscapeClosesAnInnerMenuBelowTheMouse) {
+  Driver& d = *driver;
+  ASSERT_TRUE(d.waitUntilIdle());
+  d.press("alt+v");
+  ASSERT_TRUE(ui::listIsOpen());
+  d.moveTo(d.point("submenu.Layout"));
+  d.frames(30);
+  ASSERT_EQ(ui::openLists(), 2) << "it has opened by itself";
+  d.press("Escape");
+  d.frames(30);
+  EXPECT_FALSE(ui::listIsOpen());
+  d.press("ctrl+k");
+  EXPECT_TRUE(d.workspace().help.paletteShown);
+  d.press("Escape");
+}
+
 TEST_F(WindowTest, ThemeAndScaleCountAtOnce) {
   Driver& d = *driver;
   ASSERT_TRUE(d.waitUntilIdle());
