@@ -184,8 +184,7 @@ void Application::afterFrame() {
 
 // Of several the newest is asked for; the others wait for the next start.
 void Application::askToRestore() {
-  std::vector<AutosaveSlot> left = AutosaveSlot::left(stateFolder());
-  while (!left.empty() && leftText(left.front().file()).empty()) left.erase(left.begin());
+  std::vector<AutosaveSlot> left = readableLeft(stateFolder());
   if (left.empty()) return;
   for (std::size_t n = 1; n < left.size(); ++n) left[n].leave();
   const std::shared_ptr<AutosaveSlot> slot(new AutosaveSlot(std::move(left.front())), [](AutosaveSlot* kept) {

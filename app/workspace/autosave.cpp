@@ -87,6 +87,21 @@ void Autosave::write(Workspace& w) {
        {}});
 }
 
+std::vector<AutosaveSlot> readableLeft(const fs::path& folder) {
+  std::vector<AutosaveSlot> readable;
+  for (AutosaveSlot& slot : AutosaveSlot::left(folder)) {
+    if (!leftText(slot.file()).empty()) {
+      readable.push_back(std::move(slot));
+      continue;
+    }
+    slot.leave();
+    log(LogLevel::warning,
+        fmt::format("What was open when Sonoskin ended unexpectedly cannot be read; it stays in {}.",
+                    slot.file().string()));
+  }
+  return readable;
+}
+
 std::string leftText(const fs::path& file) try {
   const SessionFile session = readSessionFile(readText(file, kMostSessionBytes));
   struct stat facts {};

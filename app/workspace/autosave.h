@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/worker.h"
 #include "app/workspace/autosave_slot.h"
@@ -48,6 +49,10 @@ class Autosave {
   bool told_ = false;    // it was said that something could not be written
   Worker worker_;        // the last: it ends before the file goes
 };
+
+// readableLeft: what programs left that ended unexpectedly and can be read, the newest first. What cannot be read, being damaged or
+// of a newer version, stays where it is, and a warning names it.
+std::vector<AutosaveSlot> readableLeft(const std::filesystem::path& folder);
 
 // leftText: a session file that was left, in a line for people: when it was written, and of what; empty where it cannot be
 // read.

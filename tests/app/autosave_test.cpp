@@ -10,9 +10,11 @@
 #include <csignal>
 #include <filesystem>
 
+#include "app/document/input.h"
 #include "app/workspace/commands.h"
 #include "app/workspace/session_actions.h"
 #include "app/workspace/workspace.h"
+#include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/private_file.h"
 #include "core/io/volume_writer.h"
@@ -53,6 +55,31 @@ TEST(AutosaveSlot, WhatIsOldOrEmptyIsTakenAway) {
   EXPECT_EQ(folder.entries(), 2);
   left[0].leave();
   EXPECT_EQ(AutosaveSlot::left(folder.path()).size(), 1u) << "it may be asked for later";
+}
+
+// It may be of a newer version, which will read it.
+TEST(AutosaveSlot, WhatCannotBeReadStaysAndIsNamed) {
+  const TempFolder folder;
+  AutosaveSlot damaged(folder.path()), whole(folder.path());
+  SessionFile session;
+  session.volume = kPhantomInput;
+  session.recipe = writeRecipe({});
+  const std::string text = writeSessionFile(session);
+  writePrivately(whole.file(), text);
+  writePrivately(damaged.file(), text.substr(0, text.size() / 2));
+  const fs::path file = damaged.file();
+  for (AutosaveSlot* slot : {&damaged, &whole}) slot->leave();
+  const LogRecord record;
+  {
+    const std::vector<AutosaveSlot> left = readableLeft(folder.path());
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0].file(), whole.file());
+  }
+  EXPECT_FALSE(fs::exists(whole.file())) << "it was answered";
+  EXPECT_EQ(readText(file, kMostSessionBytes), text.substr(0, text.size() / 2));
+  const auto told = record.sentences(LogLevel::warning);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find(file.string()), std::string::npos);
 }
 
 // A program that saves, over and over, sessions that tell twice which one they are.
