@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/io/file_bytes.h"
 #include "core/io/private_file.h"
 
@@ -24,25 +25,64 @@ E named(const std::string& name) {
   return found == names.end() ? E{} : E(found - names.begin());
 }
 
+// Takes a value where the file has one of its type; else the setting stays as it is.
+template <class T>
+void take(const json& root, const char* key, T& value) {
+  const auto found = root.find(key);
+  if (found == root.end()) return;
+  if constexpr (std::is_same_v<T, bool>) {
+    if (found->is_boolean()) value = found->get<bool>();
+  } else if constexpr (std::is_enum_v<T>) {
+    if (found->is_string()) value = named<T>(found->get<std::string>());
+  } else {
+    if (found->is_string()) value = found->get<std::string>();
+  }
+}
+
+// As double: the library casts a number that no int holds, which C++ leaves undefined.
+double numberIn(const json& root, const char* key, double standard) {
+  const auto found = root.find(key);
+  return found != root.end() && found->is_number() ? found->get<double>() : standard;
+}
+
 double scaleIn(const json& root) {
-  const double scale = root.value("scale", 0.0);
+  const double scale = numberIn(root, "scale", 0);
   return scale > 0 ? std::clamp(scale, kLeastScale, kMostScale) : 0;
+}
+
+std::vector<fs::path> recentIn(const json& root) {
+  std::vector<fs::path> files;
+  const auto found = root.find("recent");
+  if (found == root.end() || !found->is_array()) return files;
+  for (const json& file : *found)
+    if (file.is_string()) files.emplace_back(file.get<std::string>());
+  return files;
 }
 
 constexpr std::array<const char*, 3> kPlaneNames{"sagittal", "coronal", "axial"};
 
 LayoutState readLayout(const json& root) {
   LayoutState layout;
-  layout.layout = named<Layout>(root.value("layout", std::string()));
+  take(root, "layout", layout.layout);
   const auto share = [&](const char* name, float standard) {
-    return float(std::clamp(root.value(name, double(standard)), double(kLeastShare), double(kMostShare)));
+    return float(std::clamp(numberIn(root, name, standard), double(kLeastShare), double(kMostShare)));
   };
   layout.across = share("dividerAcross", layout.across);
   layout.down = share("dividerDown", layout.down);
-  const std::string compared = root.value("comparedPlane", std::string());
+  std::string compared;
+  take(root, "comparedPlane", compared);
   for (const Plane plane : kPlanes)
     if (compared == kPlaneNames[std::size_t(plane)]) layout.compared = plane;
   return layout;
+}
+
+// What is no JSON is kept beside, for it may be mended by hand.
+void setAside(const fs::path& file) {
+  std::error_code code;
+  fs::rename(file, fs::path(file) += ".damaged", code);
+  log(LogLevel::warning,
+      "The settings are damaged and were set aside as settings.json.damaged; no files are remembered until "
+      "File > Open recent > Remember files is chosen.");
 }
 
 }  // namespace
@@ -71,25 +111,26 @@ Settings readSettings(const fs::path& file) {
   try {
     root = json::parse(readText(file), nullptr, false);
   } catch (const Error&) {
+    return settings;
   }
-  if (!root.is_object()) return settings;
-  try {
-    settings.folder = root.value("folder", std::string());
-    for (const json& recent : root.value("recent", json::array()))
-      settings.recent.emplace_back(recent.get<std::string>());
-    settings.remembersFiles = root.value("remembersFiles", true);
-    settings.tourOffered = root.value("tourOffered", false);
-    // As double: the library casts a number that no int holds, which C++ leaves undefined.
-    settings.width = int(std::clamp(root.value("width", double(settings.width)), 800.0, 8192.0));
-    settings.height = int(std::clamp(root.value("height", double(settings.height)), 600.0, 8192.0));
-    settings.skinQuality = named<SkinQualityChoice>(root.value("skinQuality", std::string()));
-    settings.appearance = named<Appearance>(root.value("appearance", std::string()));
-    settings.language = named<LanguageChoice>(root.value("language", std::string()));
-    settings.scale = scaleIn(root);
-    settings.layout = readLayout(root);
-  } catch (const json::exception&) {
-    return {};
+  if (!root.is_object()) {
+    setAside(file);
+    settings.remembersFiles = false;  // whoever wanted that would not be asked again
+    return settings;
   }
+  std::string folder;
+  take(root, "folder", folder);
+  settings.folder = folder;
+  settings.recent = recentIn(root);
+  take(root, "remembersFiles", settings.remembersFiles);
+  take(root, "tourOffered", settings.tourOffered);
+  settings.width = int(std::clamp(numberIn(root, "width", settings.width), 800.0, 8192.0));
+  settings.height = int(std::clamp(numberIn(root, "height", settings.height), 600.0, 8192.0));
+  take(root, "skinQuality", settings.skinQuality);
+  take(root, "appearance", settings.appearance);
+  take(root, "language", settings.language);
+  settings.scale = scaleIn(root);
+  settings.layout = readLayout(root);
   return settings;
 }
 

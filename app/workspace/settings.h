@@ -37,7 +37,7 @@ struct Settings {
 // settingsFile: $XDG_CONFIG_HOME or ~/.config, /sonoskin/settings.json; empty where there is no home.
 std::filesystem::path settingsFile();
 
-// readSettings: what the file holds; defaults for what it lacks, and where it is missing or damaged.
+// readSettings: what the file holds, else defaults. What is no JSON is set aside (.damaged), and no files are remembered.
 Settings readSettings(const std::filesystem::path& file);
 // writeSettings: for this user's eyes alone (mode 600); makes the folder where needed. A failure is not worth a word:
 // nothing is lost but comfort.

@@ -34,5 +34,30 @@ TEST(Settings, ThemeAndScaleAreKept) {
   EXPECT_EQ(readSettings(folder / "settings.json").scale, 0);
 }
 
+// Whoever wants no file to be remembered is not to be remembered for a slip in another line.
+TEST(Settings, OneDamagedValueSpoilsNoOther) {
+  const test::TempFolder folder;
+  folder.write("settings.json",
+               R"({"folder": "/scans", "recent": ["/scans/a.nrrd", 7], "remembersFiles": false,
+                                    "width": "wide", "tourOffered": 1, "layout": [], "scale": 2})");
+  const Settings read = readSettings(folder / "settings.json");
+  EXPECT_EQ(read.folder, "/scans");
+  ASSERT_EQ(read.recent.size(), 1u);
+  EXPECT_EQ(read.recent[0], "/scans/a.nrrd");
+  EXPECT_FALSE(read.remembersFiles);
+  EXPECT_FALSE(read.tourOffered);
+  EXPECT_EQ(read.width, Settings{}.width);
+  EXPECT_EQ(read.scale, 2);
+}
+
+TEST(Settings, AFileThatIsNoJsonIsSetAsideAndNothingRemembered) {
+  const test::TempFolder folder;
+  EXPECT_TRUE(readSettings(folder / "settings.json").remembersFiles) << "there is none yet";
+  folder.write("settings.json", R"({"remembersFiles": fal)");
+  EXPECT_FALSE(readSettings(folder / "settings.json").remembersFiles);
+  EXPECT_FALSE(std::filesystem::exists(folder / "settings.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "settings.json.damaged"));
+}
+
 }  // namespace
 }  // namespace sonoskin
