@@ -54,7 +54,7 @@ void drawLostVolume(Workspace& w) {
 }
 
 void drawDropped(Workspace& w) {
-  if (w.dropped.empty()) return;
+  if (w.dropped.empty() || w.files.purpose) return;
   const std::string title = std::string(tr("Several files")) + "###dropped";
   const std::filesystem::path* pressed = nullptr;
   const auto open = [&w](const std::filesystem::path& file) {
@@ -70,7 +70,7 @@ void drawDropped(Workspace& w) {
 }
 
 void drawRecovery(Workspace& w) {
-  if (!w.recovery) return;
+  if (!w.recovery || w.files.purpose) return;
   const std::string title = std::string(tr("Restore")) + "###recovery";
   const std::string text = trf("Sonoskin ended unexpectedly. Restore what was open ({})?", w.recovery->told);
   const auto take = [&w] { return *std::exchange(w.recovery, std::nullopt); };

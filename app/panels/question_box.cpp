@@ -7,8 +7,29 @@
 
 namespace sonoskin::ui {
 
+namespace {
+
+// Whose turn it is: a question has the window's middle until a frame goes without it.
+struct Turn {
+  ImGuiID question = 0;
+  int frame = -1;  // in which it was asked last
+};
+Turn turn;
+
+}  // namespace
+
+bool askQuestion(const char* title) {
+  const ImGuiID question = ImGui::GetID(title);
+  const int frame = ImGui::GetFrameCount();
+  const bool taken = turn.frame == frame || turn.frame + 1 == frame;
+  if (taken && turn.question != question) return false;
+  turn = {question, frame};
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  return true;
+}
+
 void drawQuestionBox(const QuestionBox& box, std::initializer_list<Answer> answers) {
-  if (!ImGui::IsPopupOpen(box.title)) ImGui::OpenPopup(box.title);
+  if (!askQuestion(box.title)) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
   if (!ImGui::BeginPopupModal(box.title, nullptr,
                               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
@@ -26,7 +47,10 @@ void drawQuestionBox(const QuestionBox& box, std::initializer_list<Answer> answe
     if (ImGui::Button(answer.text, size)) pressed = &answer;
     noteWidget(answer.widget);
   }
-  if (pressed) ImGui::CloseCurrentPopup();
+  if (pressed) {
+    ImGui::CloseCurrentPopup();
+    turn = {};
+  }
   ImGui::EndPopup();
   if (pressed) pressed->act();
 }

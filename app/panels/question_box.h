@@ -21,7 +21,12 @@ struct QuestionBox {
   std::function<void()> rest = {};  // drawn below the text
 };
 
-// drawQuestionBox: draws it while it is called. The answer closes it and acts, which has to end the question.
+// askQuestion: opens a question's box, called in each frame in which it is asked. Of several that are asked at once the first
+// has its turn, and the others wait until it is answered.
+//   output  whether it is this one's turn
+bool askQuestion(const char* title);
+
+// drawQuestionBox: draws it while it is called, in its turn. The answer closes it and acts, which has to end the question.
 void drawQuestionBox(const QuestionBox& box, std::initializer_list<Answer> answers);
 
 }  // namespace sonoskin::ui

@@ -5,6 +5,7 @@
 
 #include "app/panels/panels.h"
 #include "app/panels/parameter_rows.h"
+#include "app/panels/question_box.h"
 #include "app/texts/texts.h"
 #include "app/widgets/layout.h"
 #include "app/widgets/theme.h"
@@ -34,7 +35,7 @@ bool drawSize(const Workspace::RawQuestion& asked) {
 void drawRawQuestion(Workspace& workspace) {
   if (!workspace.rawQuestion) return;
   const std::string title = trId("What the file holds");
-  if (!ImGui::IsPopupOpen(title.c_str())) ImGui::OpenPopup(title.c_str());
+  if (!askQuestion(title.c_str())) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({440 * unit(), 0});
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/panels/panels.h"
+#include "app/panels/question_box.h"
 #include "app/texts/texts.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/widget_rects.h"
@@ -30,7 +31,7 @@ int drawList(const std::vector<VolumeEntry>& volumes) {
 void drawVolumeChoice(Workspace& workspace) {
   if (!workspace.choice) return;
   const std::string title = trId("Choose a volume");
-  if (!ImGui::IsPopupOpen(title.c_str())) ImGui::OpenPopup(title.c_str());
+  if (!askQuestion(title.c_str())) return;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))

@@ -91,6 +91,22 @@ TEST_F(QuestionKeys, EscapeClosesWhatLiesOnTopAndEndsNoWork) {
   EXPECT_EQ(p().session().state(), DocumentState::stopped) << "then it ends the work";
 }
 
+TEST_F(QuestionKeys, OfTwoQuestionsTheSecondWaitsForTheFirst) {
+  Workspace& w = p().workspace();
+  bool later = false;
+  w.lostVolume = LostVolume{};
+  w.recovery = Workspace::Recovery{"today", [] {}, [&] { later = true; }};
+  p().frames(6);
+  ASSERT_TRUE(p().rects().byName.contains("lost.cancel"));
+  EXPECT_FALSE(p().rects().byName.contains("recovery.discard"));
+  p().click("lost.cancel");
+  p().frames(6);
+  EXPECT_FALSE(w.lostVolume);
+  ASSERT_TRUE(p().rects().byName.contains("recovery.discard"));
+  p().click("recovery.discard");
+  EXPECT_TRUE(later);
+}
+
 TEST(Interface, ADenseScreenWithoutAScaleHasTwo) {
   EXPECT_EQ(scaleOfScreen(1, 3840), 2);
   EXPECT_EQ(scaleOfScreen(1, 2560), 1);
