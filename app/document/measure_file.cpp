@@ -16,7 +16,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kFar = 1e6;  // mm from the origin: further away lies no scan
-constexpr std::size_t kMostMarks = 1000;
 
 std::optional<glm::dvec3> markIn(const Json& json) {
   if (!json.is_array() || json.size() != 3) return {};

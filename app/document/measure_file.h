@@ -7,6 +7,9 @@
 
 namespace sonoskin {
 
+// kMostMeasures, kMostMarks: that a session holds, and of one of them.
+inline constexpr std::size_t kMostMeasures = 10'000, kMostMarks = 10'000;
+
 // measuresIn: the measures that the text of a session holds, those that are complete; of any other text none.
 std::vector<Measure> measuresIn(const std::string& text);
 

@@ -1,3 +1,5 @@
+#include "app/document/measure_file.h"
+#include "app/texts/texts.h"
 #include "app/views/measure_marks.h"
 #include "app/views/tools.h"
 #include "app/widgets/theme.h"
@@ -33,7 +35,17 @@ bool closes(const Measure& begun, const ToolPane& pane) {
   return pane.input.doubleClicked || glm::distance(first, pane.input.mouse) < kReach * unit();
 }
 
-void addMark(ViewState& view, const ToolPane& pane) {
+// What a session would not hold is not begun.
+bool isThereRoom(Workspace& w) {
+  if (w.view.measures.size() < kMostMeasures) return true;
+  w.toasts.warn(
+      trf("There are {} measures, as many as a session holds; take one away first.", kMostMeasures));
+  return false;
+}
+
+void addMark(Workspace& w, const ToolPane& pane) {
+  ViewState& view = w.view;
+  if (!isThereRoom(w)) return;
   const glm::dvec3 at = pane.slice->frame.toWorld(glm::dvec2(pane.input.mouse));
   // What was begun of another kind is given up.
   auto& begun = view.measureBegun;
@@ -41,7 +53,7 @@ void addMark(ViewState& view, const ToolPane& pane) {
   if (!begun) begun = Measure{view.measuring, {}};
   if (closes(*begun, pane)) return finish(view);
   begun->marks.push_back(at);
-  if (isFull(*begun)) finish(view);
+  if (isFull(*begun) || begun->marks.size() >= kMostMarks) finish(view);
 }
 
 // What was begun in another slice is given up: its marks would not lie in one.
@@ -61,7 +73,7 @@ PaneInput useMeasureTool(ToolState& state, Workspace& w, const ToolPane& pane) {
     state.stroke.from = input.mouse;
     state.mark = w.view.measureBegun ? std::nullopt : markBelow(w, pane);
     if (isBegunElsewhere(w, pane)) w.view.measureBegun.reset();
-    if (!state.mark) addMark(w.view, pane);
+    if (!state.mark) addMark(w, pane);
   } else if (state.mark && state.mark->measure < w.view.measures.size()) {
     w.view.measures[state.mark->measure].marks[state.mark->number] =
         pane.slice->frame.toWorld(glm::dvec2(input.mouse));
@@ -73,7 +85,7 @@ PaneInput useMeasureTool(ToolState& state, Workspace& w, const ToolPane& pane) {
 void letGoMeasureTool(ToolState& state, Workspace& w, const ToolPane& pane) {
   const bool dragged = glm::distance(pane.input.mouse, state.stroke.from) > kReach * unit();
   const bool line = w.view.measureBegun && w.view.measureBegun->kind != MeasureKind::area;
-  if (!state.mark && dragged && line) addMark(w.view, pane);
+  if (!state.mark && dragged && line) addMark(w, pane);
   state.mark.reset();
 }
 

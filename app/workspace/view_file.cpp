@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/measure_file.h"
 #include "app/workspace/view_fields.h"
 #include "app/workspace/view_json.h"
 
 namespace sonoskin {
 namespace {
+
+static_assert(view_json::kMostElements >= std::max(kMostMeasures, kMostMarks));
 
 // Whether a camera's directions can be drawn with.
 bool isUpright(const Camera& camera) {

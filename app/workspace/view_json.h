@@ -18,8 +18,8 @@ namespace sonoskin::view_json {
 
 using Json = nlohmann::json;
 
-inline constexpr std::size_t kMostElements = 1000;  // of a list
-inline constexpr double kFar = 1e6;                 // of numbers without a range: mm from the origin
+inline constexpr std::size_t kMostElements = 10'000;  // of a list
+inline constexpr double kFar = 1e6;                   // of numbers without a range: mm from the origin
 
 template <class T>
 inline constexpr bool isVector = false;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/document/measure_file.h"
+
 namespace sonoskin {
 namespace {
 
@@ -63,6 +65,16 @@ TEST(ViewFile, WhatCannotBeUsedIsLeft) {
   EXPECT_LE(view.cursor.x, 1e6);
   EXPECT_EQ(view.orientation.turn, glm::dmat3(1));
   EXPECT_EQ(view.camera.distance, usual.camera.distance) << "a camera is taken whole or not";
+}
+
+TEST(ViewFile, AsManyMeasuresAsMayBeMadeAreReadBack) {
+  ViewState view, read;
+  view.measures.assign(kMostMeasures, {MeasureKind::distance, {{0, 0, 0}, {0, 3, 4}}});
+  readViews(writeViews(view), read);
+  EXPECT_EQ(read.measures, view.measures);
+  view.measures = {{MeasureKind::area, std::vector<glm::dvec3>(kMostMarks, {1, 2, 3})}};
+  readViews(writeViews(view), read);
+  EXPECT_EQ(read.measures, view.measures);
 }
 
 }  // namespace
