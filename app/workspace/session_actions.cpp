@@ -6,6 +6,7 @@
 
 #include "app/document/input.h"
 #include "app/texts/texts.h"
+#include "app/workspace/cursor_steps.h"
 #include "app/workspace/view_file.h"
 #include "app/workspace/view_history.h"
 #include "app/workspace/workspace.h"
@@ -86,6 +87,7 @@ void takeInOpened(Workspace& w) {
   const auto reopened = session.takeReopened();
   if (!reopened) return;
   readViews(reopened->file.views, w.view);
+  if (session.hasScan()) w.view.cursor = inVolume(session.scan().volume->geometry, w.view.cursor);
   beginViewEdits(w);
   w.view.cameraMoved = true;  // it stays where it was when points and surface are made again
   w.restored |= reopened->recovers;

@@ -208,6 +208,24 @@ TEST(RecentFiles, AreWrittenWhenTheyOpen) {
   EXPECT_EQ(readSettings(settingsFile()).recent[0], kept.volume);
 }
 
+TEST(SessionActions, ACursorOutsideOfTheVolumeComesIntoIt) {
+  Kept kept;
+  Workspace& w = kept.workspace;
+  SessionFile session;
+  session.volume = kPhantomInput;
+  session.recipe = writeRecipe(tinySurface());
+  session.views = R"({"cursor": [1e308, 0, 0]})";
+  w.session.openSession(kept.folder.write("far.sonoskin", writeSessionFile(session)));
+  ASSERT_TRUE(wait(w.session));
+  takeInOpened(w);
+  const Geometry& g = w.session.scan().volume->geometry;
+  const glm::dvec3 index = g.toIndex(w.view.cursor);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_GE(index[i], -1e-6);
+    EXPECT_LE(index[i], g.dims[i] - 1 + 1e-6);
+  }
+}
+
 TEST(Dropped, FilesAreToldApart) {
   Kept kept;
   Workspace& w = kept.workspace;
