@@ -21,7 +21,7 @@ const std::vector<Measure> kMeasures{
 std::string sessionWith(const std::vector<Measure>& measures, const std::string& recipe) {
   ViewState view;
   view.measures = measures;
-  return writeSessionFile({"phantom", recipe, false, true, writeViews(view)});
+  return writeSessionFile({.volume = "phantom", .recipe = recipe, .views = writeViews(view)});
 }
 
 TEST(MeasureFile, ASessionHoldsTheMeasuresOfItsViews) {
@@ -32,7 +32,8 @@ TEST(MeasureFile, ASessionHoldsTheMeasuresOfItsViews) {
 
 TEST(MeasureFile, WhatIsNoMeasureIsLeftOut) {
   const auto measuresOf = [](const std::string& list) {
-    return measuresIn(writeSessionFile({"", writeRecipe({}), false, true, R"({"measures": )" + list + "}"}));
+    return measuresIn(writeSessionFile(
+        {.volume = "", .recipe = writeRecipe({}), .views = R"({"measures": )" + list + "}"}));
   };
   EXPECT_TRUE(measuresOf(R"([{"kind": "distance", "marks": [[1, 2, 3]]}])").empty()) << "not complete";
   EXPECT_TRUE(measuresOf(R"([{"kind": "volume", "marks": [[1, 2, 3], [1, 2, 4]]}])").empty());
