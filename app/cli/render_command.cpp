@@ -8,6 +8,7 @@
 #include "app/batch/scan_view.h"
 #include "app/batch/turntable_files.h"
 #include "app/cli/commands.h"
+#include "app/cli/finite.h"
 #include "app/cli/mask_options.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
@@ -194,6 +195,7 @@ Command addRenderCommand(CLI::App& program, Console& console) {
       ->add_option("--scale", options->scale,
                    "for a mesh in another unit than mm: 1000 for metres [default 1]")
       ->type_name("NUMBER")
+      ->check(finite())
       ->check(CLI::Range(1e-6, 1e6).description(""));
   command->add_flag("--flip", options->flip, "for a mesh that is inside out");
   addPictureOptions(*command, *options);

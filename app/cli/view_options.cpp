@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/choices.h"
+#include "app/cli/finite.h"
 #include "app/cli/volume_options.h"
 #include "core/base/error.h"
 
@@ -23,6 +24,7 @@ void addSliceOptions(CLI::App& command, ScanView& view) {
           "for slice and slices: a place that they go through, mm; the middle by default")
       ->delimiter(',')
       ->expected(3)
+      ->check(finite())
       ->type_name("X,Y,Z");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/choices.h"
+#include "app/cli/finite.h"
 #include "core/base/error.h"
 #include "render/transfer_presets.h"
 
@@ -29,8 +30,9 @@ void addVolumeOptions(CLI::App& command, VolumeShown& shown) {
             "for volume; iso: the first hit, dvr: translucent, mip: the largest value along each ray");
   command
       .add_option("--level", shown.level,
-                  "for volume: grey of the skin's border, 0 .. 1; found from the volume by default")
+                  "for volume: grey of the skin's border, 0.001 .. 0.999; found from the volume by default")
       ->type_name("NUMBER")
+      ->check(finite())
       ->check(CLI::Range(0.001, 0.999).description(""));
   command.add_flag("--whole", shown.whole,
                    "for volume: the whole region; by default only the box around the surface that was found");

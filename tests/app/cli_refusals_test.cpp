@@ -1,0 +1,45 @@
+// What no command can do is refused in one sentence that says why, with the status of a wrong usage, and nothing is written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/app/cli_support.h"
+
+namespace sonoskin::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+void expectRefused(const Words& words, const std::string& says) {
+  const ProgramResult result = sonoskin(words);
+  EXPECT_EQ(result.status, 2) << words.back() << ": " << result.err;
+  EXPECT_NE(result.err.find(says), std::string::npos) << words.back() << ": " << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(CliRefusals, NumbersThatAreNone) {
+  const TempFolder folder;
+  const std::string file = (folder / "picture.png").string();
+  for (const char* number : {"nan", "-nan", "inf", "1e400", "", "x"}) {
+    const std::string says = " is not a finite number";
+    for (const Words& command : {Words{"render", "phantom"}, Words{"sheet", "phantom", "--over", "beta=1"}}) {
+      Words words = command;
+      words.insert(words.end(), {"--out", file, "--view", "slice", "--at", std::string(number) + ",0,0"});
+      if (*number) expectRefused(withSmall(words), says);
+    }
+    const Words render{"render", "phantom", "--out", file};
+    for (const char* option : {"--level", "--scale"}) {
+      Words words = render;
+      words.push_back(option + std::string("=") + number);
+      if (*number) expectRefused(words, says);
+    }
+    Words words = render;
+    words.insert(words.end(), {"--camera", std::string("azimuth=") + number});
+    expectRefused(words, "--camera");
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+}  // namespace
+}  // namespace sonoskin::test
