@@ -1,12 +1,16 @@
 #include "app/batch/scan_view.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "app/document/face_view.h"
 #include "app/document/input.h"
 #include "app/document/transfer_file.h"
 #include "app/document/view_planes.h"
+#include "core/base/error.h"
 #include "core/pipeline/face_use.h"
+#include "render/camera.h"
 
 namespace sonoskin {
 namespace {
@@ -92,6 +96,23 @@ std::optional<Goal> goalOf(const ScanView& view) {
   if (view.view != "volume" || needsSurface(view.volume)) return Goal::mesh;
   if (layer == "classified") return Goal::classified;
   return view.volume.level > 0 ? std::nullopt : std::optional(Goal::levels);
+}
+
+void requireWithin(const Scan& scan, const ScanView& view) {
+  if (!view.at) return;
+  constexpr double kHalf = 0.5001;  // of a voxel, and what rounding does
+  const Geometry& g = scan.volume->geometry;
+  const glm::dvec3 index = g.toIndex(*view.at), last(g.dims - 1);
+  if (glm::all(glm::greaterThanEqual(index, glm::dvec3(-kHalf))) &&
+      glm::all(glm::lessThanEqual(index, last + kHalf)))
+    return;
+  const auto words = [](const glm::dvec3& v) { return fmt::format("{:.1f},{:.1f},{:.1f}", v.x, v.y, v.z); };
+  const Box box = worldBox(g);
+  throw Error(
+      fmt::format("--at {:g},{:g},{:g} lies outside of the scan, which reaches from {} to {} mm; give "
+                  "a place within.",
+                  view.at->x, view.at->y, view.at->z, words(box.min), words(box.max)),
+      Error::Kind::usage);
 }
 
 SurfaceShot surfaceShot(const ScanMade& made, const ScanView& view) {

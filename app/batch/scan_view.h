@@ -45,6 +45,10 @@ std::string layerOf(const ScanView& view);
 // goalOf: how far the pipeline has to go for a picture; empty: not at all.
 std::optional<Goal> goalOf(const ScanView& view);
 
+// requireWithin: refuses, before any work but reading, slices through a place outside of the scan.
+//   errors  Error (usage), with what the scan fills
+void requireWithin(const Scan& scan, const ScanView& view);
+
 // ScanMade: a scan and what the pipeline has made of it.
 struct ScanMade {
   Scan scan;

@@ -89,6 +89,7 @@ RenderOutput showVolumeFile(const RenderOptions& o, const Parameters& parameters
                 Error::Kind::usage);
   console.beginStage(o.files.volume == kPhantomInput ? "simulation" : "reading");
   ScanMade made{loadInput(o.files, parameters, console.progress().part(0, kLoaded)), {}, parameters};
+  requireWithin(made.scan, o.view);
   noteTimeSteps(made.scan);
   if (const auto goal = goalOf(o.view)) {
     made.results = Pipeline().run(made.scan, parameters, *goal, console.progress().part(kLoaded, kComputed),

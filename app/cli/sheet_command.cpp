@@ -96,6 +96,7 @@ void sheet(SheetOptions& options, Console& console) {
   order.view.skin = options.skin.picture();
   console.beginStage(options.files.volume == kPhantomInput ? "simulation" : "reading");
   order.scan = loadInput(options.files, parameters, console.progress().part(0, kLoaded));
+  requireWithin(order.scan, order.view);
   noteTimeSteps(order.scan);
   const auto context = gl::makeOffscreenContext(options.backend);
   const ContactSheet made = makeSheet(*context, order, console.progress().part(kLoaded, kDrawn),

@@ -41,5 +41,22 @@ TEST(CliRefusals, NumbersThatAreNone) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST(CliRefusals, APlaceOutsideOfTheScan) {
+  const TempFolder folder;
+  const std::string file = (folder / "picture.png").string();
+  const Words view{"--out", file, "--view", "slice", "--layer", "raw", "--size", "64x64", "--at"};
+  for (const Words& command : {Words{"render", "phantom"}, Words{"sheet", "phantom", "--over", "beta=1"}}) {
+    Words words = command;
+    words.insert(words.end(), view.begin(), view.end());
+    words.push_back("1e6,0,0");
+    expectRefused(withSmall(words), "--at 1e+06,0,0 lies outside of the scan, which reaches from ");
+    EXPECT_FALSE(std::filesystem::exists(file));
+    words.back() = "0,0,0";
+    const ProgramResult within = sonoskin(withSmall(words));
+    EXPECT_EQ(within.status, 0) << within.err;
+    std::filesystem::remove(file);
+  }
+}
+
 }  // namespace
 }  // namespace sonoskin::test
