@@ -23,6 +23,17 @@ std::string helpLine(const ParameterInfo& p) {
   return fmt::format("{} [{}]{}", p.help, facts, p.symbol.empty() ? "" : " (" + p.symbol + ")");
 }
 
+// readRecipeFile: sets what a recipe or a session says; its errors name the file.
+void readRecipeFile(const std::string& file, Parameters& parameters, InputFiles& files) {
+  const std::string text = readText(file, kMostSessionBytes);
+  try {
+    files.recipe = readRecipe(recipeIn(text), parameters);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file, error.what()), error.kind());
+  }
+  files.measures = measuresIn(text);
+}
+
 }  // namespace
 
 void ParameterOptions::addPreset(CLI::App& command) {
@@ -80,11 +91,7 @@ Parameters ParameterOptions::resolve() const {
 Parameters ParameterOptions::resolve(InputFiles& files) const {
   Parameters parameters;
   if (!preset_.empty()) applyPreset(findPreset(preset_), parameters);
-  if (!recipe_.empty()) {
-    const std::string text = readText(recipe_, kMostSessionBytes);
-    files.recipe = readRecipe(recipeIn(text), parameters);
-    files.measures = measuresIn(text);
-  }
+  if (!recipe_.empty()) readRecipeFile(recipe_, parameters, files);
   if (!look_.empty()) applySkinPreset(findSkinPreset(look_), parameters.skin, parameters.light);
   for (const auto& [name, text] : given_) setParameter(parameters, name, text);
   return parameters;

@@ -9,6 +9,7 @@
 
 #include "app/document/session_file.h"
 #include "core/base/error.h"
+#include "core/base/log.h"
 
 namespace sonoskin {
 namespace {
@@ -65,9 +66,13 @@ std::vector<Measure> measuresIn(const std::string& text) {
   std::vector<Measure> measures;
   const auto session = sessionIn(text);
   const Json views = session ? Json::parse(session->views, nullptr, false) : Json();
-  if (!views.is_object() || !views.contains("measures") || !views["measures"].is_array()) return measures;
-  for (const Json& element : views["measures"])
+  if (!views.is_object() || !views.contains("measures")) return measures;
+  const Json list = views["measures"].is_array() ? views["measures"] : Json::array({views["measures"]});
+  for (const Json& element : list)
     if (const auto measure = measureIn(element)) measures.push_back(*measure);
+  if (const std::size_t lost = list.size() - measures.size(); lost > 0)
+    log(LogLevel::warning, fmt::format("{} measure{} of the session could not be read and {} left out.", lost,
+                                       lost == 1 ? "" : "s", lost == 1 ? "is" : "are"));
   return measures;
 }
 

@@ -10,7 +10,8 @@ namespace sonoskin {
 // kMostMeasures, kMostMarks: that a session holds, and of one of them.
 inline constexpr std::size_t kMostMeasures = 10'000, kMostMarks = 10'000;
 
-// measuresIn: the measures that the text of a session holds, those that are complete; of any other text none.
+// measuresIn: the measures that the text of a session holds, those that are complete; of any other text none. Logs how
+// many could not be read.
 std::vector<Measure> measuresIn(const std::string& text);
 
 // measuresJson: for reports: [{"kind": "distance", "value": 12.3, "unit": "mm", "marks_mm": [[x, y, z], ...]}, ...]; the marks

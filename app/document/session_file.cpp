@@ -28,10 +28,23 @@ Json parse(const std::string& text) {
 
 bool isSession(const Json& json) { return json.is_object() && json.contains(kMark); }
 
+// Of a session that this version of the program can read.
+void requireOurFormat(const Json& session) {
+  const Json& format = session[kMark];
+  require(format.is_number_integer() && format == kFormat,
+          "This session was saved by a newer Sonoskin; open it with that.");
+}
+
 // The object of a name, as text; empty where there is none.
 std::string objectAt(const Json& json, const char* name) {
   const auto found = json.find(name);
   return found != json.end() && found->is_object() ? found->dump() : std::string();
+}
+
+std::string recipeAt(const Json& session) {
+  std::string recipe = objectAt(session, "recipe");
+  require(!recipe.empty(), "This session holds no recipe: it is damaged; open another one.");
+  return recipe;
 }
 
 bool truthAt(const Json& json, const char* name, bool otherwise) {
@@ -65,14 +78,11 @@ std::string writeSessionFile(const SessionFile& session) {
 SessionFile readSessionFile(const std::string& text) {
   const Json json = parse(text);
   require(isSession(json), "This is no session of Sonoskin, or it is damaged; open another one.");
-  const Json& format = json[kMark];
-  require(format.is_number_integer() && format == kFormat,
-          "This session was saved by a newer Sonoskin; open it with that.");
+  requireOurFormat(json);
   SessionFile session;
   if (const auto volume = json.find("volume"); volume != json.end() && volume->is_string())
     session.volume = volume->get<std::string>();
-  session.recipe = objectAt(json, "recipe");
-  require(!session.recipe.empty(), "This session holds no recipe: it is damaged; open another one.");
+  session.recipe = recipeAt(json);
   session.hasSurface = truthAt(json, "surface", false);
   session.follows = truthAt(json, "follows", true);
   session.surface = objectAt(json, "surfaceRecipe");
@@ -83,7 +93,9 @@ SessionFile readSessionFile(const std::string& text) {
 std::string recipeIn(const std::string& text) {
   if (text.find(kMark) == std::string::npos) return text;
   const Json json = parse(text);
-  return isSession(json) ? objectAt(json, "recipe") : text;
+  if (!isSession(json)) return text;
+  requireOurFormat(json);
+  return recipeAt(json);
 }
 
 }  // namespace sonoskin

@@ -36,6 +36,7 @@ std::string writeSessionFile(const SessionFile& session);
 SessionFile readSessionFile(const std::string& text);
 
 // recipeIn: the recipe of a session; any other text as it is.
+//   errors  Error: a session of a newer Sonoskin, or without a recipe
 std::string recipeIn(const std::string& text);
 
 }  // namespace sonoskin

@@ -41,6 +41,28 @@ TEST(CliRefusals, NumbersThatAreNone) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+// What is wrong with a recipe or a session is said with its file's name.
+TEST(CliRefusals, RecipesThatAreNone) {
+  const TempFolder folder;
+  const struct {
+    const char *text, *says;
+  } kWrong[] = {{R"({"sonoskin_session": 2, "recipe": {}})", "saved by a newer Sonoskin"},
+                {R"({"sonoskin_session": 1, "recipe": null})", "holds no recipe"},
+                {R"({"sonoskin_session": 1, "recipe": []})", "holds no recipe"},
+                {R"({"sonoskin_session": 1})", "holds no recipe"},
+                {R"({"nothing": {}})", "no group of parameters"},
+                {"no JSON", "not valid JSON"}};
+  for (const auto& wrong : kWrong) {
+    const std::string file = folder.write("face.sonoskin", wrong.text).string();
+    const ProgramResult result =
+        sonoskin({"run", "phantom", "--out", (folder / "out").string(), "--recipe", file});
+    EXPECT_EQ(result.status, 3) << wrong.text << result.err;
+    EXPECT_NE(result.err.find(file), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(wrong.says), std::string::npos) << wrong.text << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
 TEST(CliRefusals, APlaceOutsideOfTheScan) {
   const TempFolder folder;
   const std::string file = (folder / "picture.png").string();
@@ -51,7 +73,7 @@ TEST(CliRefusals, APlaceOutsideOfTheScan) {
     words.push_back("1e6,0,0");
     expectRefused(withSmall(words), "--at 1e+06,0,0 lies outside of the scan, which reaches from ");
     EXPECT_FALSE(std::filesystem::exists(file));
-    words.back() = "0,0,0";
+    words.back() = "5,5,5";
     const ProgramResult within = sonoskin(withSmall(words));
     EXPECT_EQ(within.status, 0) << within.err;
     std::filesystem::remove(file);

@@ -56,6 +56,18 @@ TEST(MeasureFile, TheReportTellsThemWithTheirMarksInMillimetres) {
   EXPECT_EQ(measuresText({kMeasures[0]}), "distance 13.0 mm at 1.0, 2.0, 3.0; 4.0, 6.0, 15.0 mm\n");
 }
 
+TEST(MeasureFile, HowManyCouldNotBeReadIsTold) {
+  const test::TempFolder folder;
+  const std::string views = R"({"measures": [{"kind": "distance", "marks": [[1, 2, 3], [1, 2, 2e6]]},)"
+                            R"({"kind": "distance", "marks": [[1, 2, 3], [1, 2, 4]]}, 7]})";
+  const std::string session =
+      folder.write("face.sonoskin", writeSessionFile({"phantom", writeRecipe({}), false, true, {}, views}))
+          .string();
+  const test::ProgramResult result = test::sonoskin({"recipe", "--recipe", session});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("2 measures of the session could not be read"), std::string::npos) << result.err;
+}
+
 // A run that is given the session: the measures are in the report of the same scan, and of no other.
 TEST(MeasureFile, RunTakesThemFromASession) {
   const test::TempFolder folder;
