@@ -28,9 +28,14 @@ double areaWithin(const std::vector<glm::dvec3>& marks) {
 
 }  // namespace
 
-bool isComplete(const Measure& measure) { return measure.marks.size() >= leastMarks(measure.kind); }
+bool isComplete(const Measure& measure) {
+  const std::size_t least = leastMarks(measure.kind);
+  return measure.kind == MeasureKind::area ? measure.marks.size() >= least : measure.marks.size() == least;
+}
 
-bool isFull(const Measure& measure) { return measure.kind != MeasureKind::area && isComplete(measure); }
+bool isFull(const Measure& measure) {
+  return measure.kind != MeasureKind::area && measure.marks.size() >= leastMarks(measure.kind);
+}
 
 double valueOf(const Measure& measure) {
   if (!isComplete(measure)) return 0;

@@ -19,7 +19,7 @@ struct Measure {
   friend bool operator==(const Measure&, const Measure&) = default;
 };
 
-// isComplete: whether it has marks enough: 2, 3, at least 3. isFull: whether it takes no more: an area takes any number.
+// isComplete: whether it has the marks that it needs: 2, 3, at least 3. isFull: whether it takes no more: an area takes any number.
 bool isComplete(const Measure& measure);
 bool isFull(const Measure& measure);
 

@@ -36,6 +36,7 @@ TEST(MeasureFile, WhatIsNoMeasureIsLeftOut) {
         {.volume = "", .recipe = writeRecipe({}), .views = R"({"measures": )" + list + "}"}));
   };
   EXPECT_TRUE(measuresOf(R"([{"kind": "distance", "marks": [[1, 2, 3]]}])").empty()) << "not complete";
+  EXPECT_TRUE(measuresOf(R"([{"kind": "distance", "marks": [[1, 2, 3], [1, 2, 4], [1, 2, 5]]}])").empty());
   EXPECT_TRUE(measuresOf(R"([{"kind": "volume", "marks": [[1, 2, 3], [1, 2, 4]]}])").empty());
   EXPECT_TRUE(measuresOf(R"([{"kind": "distance", "marks": [[1, 2, 3], [1, 2, "4"]]}])").empty());
   EXPECT_TRUE(measuresOf(R"([{"kind": "distance", "marks": [[1, 2, 3], [1, 2, 1e300]]}])").empty());

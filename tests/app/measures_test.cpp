@@ -11,6 +11,9 @@ TEST(Measures, HaveMarksEnoughOrNot) {
   EXPECT_EQ(measureText(angle), "");
   angle.marks.push_back({1, 1, 0});
   EXPECT_TRUE(isComplete(angle) && isFull(angle));
+  angle.marks.push_back({1, 1, 1});
+  EXPECT_FALSE(isComplete(angle)) << "an angle has three marks, and no more";
+  EXPECT_TRUE(isFull(angle));
   const Measure area{MeasureKind::area, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}};
   EXPECT_TRUE(isComplete(area));
   EXPECT_FALSE(isFull(area)) << "it takes more marks";
