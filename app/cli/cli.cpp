@@ -60,7 +60,7 @@ void limitRenderer() { ::setenv("LP_NUM_THREADS", std::to_string(threadCount()).
 
 int runWindow(const std::string& file, const Parameters& parameters) {
   if (file.empty()) return openWindow(std::nullopt, parameters);
-  if (!std::filesystem::exists(file)) {
+  if (std::error_code ignored; !std::filesystem::exists(file, ignored)) {
     return fail(kUsage,
                 fmt::format("There is no command and no file named \"{}\"; see sonoskin --help.", file));
   }

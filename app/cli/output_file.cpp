@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/shown_text.h"
 
 namespace sonoskin {
 
@@ -11,11 +12,17 @@ void checkOutputFile(const std::filesystem::path& file, FileKind kind) {
     throw Error(fmt::format(sentence, file.string()), Error::Kind::usage);
   };
   requireFormat(kind, file);
-  if (std::filesystem::is_directory(file))
+  std::error_code why;
+  const std::filesystem::file_status there = std::filesystem::status(file, why);
+  if (there.type() == std::filesystem::file_type::none)  // that cannot be told
+    throw Error(fmt::format("{} cannot be written ({}); choose another name.", shownText(file.string()),
+                            why.message()),
+                Error::Kind::usage);
+  if (std::filesystem::is_directory(there))
     refuse("{} cannot be written, for a folder has that name; choose another one.");
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder))
+  if (!std::filesystem::is_directory(folder, why))
     refuse("{} cannot be written, for its folder does not exist; make it first.");
 }
 

@@ -81,7 +81,7 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
     madeFolders.insert(madeFolders.end(), made_.begin(), made_.end());
   }
   fs::create_directories(folder_, code);
-  if (!fs::is_directory(folder_)) {
+  if (std::error_code ignored; !fs::is_directory(folder_, ignored)) {
     removeMade();
     failOnDisk("The folder {} cannot be made: {}.", folder_.string(), systemCause(code.value()));
   }

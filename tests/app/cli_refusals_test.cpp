@@ -41,6 +41,19 @@ TEST(CliRefusals, NumbersThatAreNone) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST(CliRefusals, NamesThatAreTooLong) {
+  const TempFolder folder;
+  const std::string name = (folder / std::string(300, 'a')).string();
+  expectRefused({"render", "phantom", "--out", name + ".png"}, "cannot be written (File name too long)");
+  expectRefused({"render", "phantom", "--out", name + "/face.png"}, "cannot be written (File name too long)");
+  expectRefused({"sheet", "phantom", "--over", "beta=1", "--out", name + ".png"}, "too long");
+  expectRefused({"phantom", "--out", name + ".nrrd"}, "too long");
+  expectRefused({name}, "no file named");
+  const ProgramResult run = sonoskin(withSmall({"run", "phantom", "--out", name}));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("cannot be made: File name too long"), std::string::npos) << run.err;
+}
+
 // What is wrong with a recipe or a session is said with its file's name.
 TEST(CliRefusals, RecipesThatAreNone) {
   const TempFolder folder;
