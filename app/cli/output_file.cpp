@@ -26,4 +26,14 @@ void checkOutputFile(const std::filesystem::path& file, FileKind kind) {
     refuse("{} cannot be written, for its folder does not exist; make it first.");
 }
 
+void refuseInputs(const std::filesystem::path& file, const std::vector<std::string>& read) {
+  for (const std::string& input : read) {
+    std::error_code none;
+    if (!input.empty() && std::filesystem::equivalent(file, input, none))
+      throw Error(
+          fmt::format("--out {} is the file {} that is read; choose another name.", file.string(), input),
+          Error::Kind::usage);
+  }
+}
+
 }  // namespace sonoskin

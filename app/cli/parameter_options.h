@@ -28,6 +28,9 @@ class ParameterOptions {
   Parameters resolve() const;
   Parameters resolve(InputFiles& files) const;
 
+  // recipeFile: of --recipe; empty: none.
+  const std::string& recipeFile() const { return recipe_; }
+
  private:
   std::string preset_;
   std::string recipe_, look_;

@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/finite.h"
 #include "app/cli/mask_options.h"
+#include "app/cli/output_file.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/skin_options.h"
@@ -104,6 +105,7 @@ RenderOutput showVolumeFile(const RenderOptions& o, const Parameters& parameters
 // Refuses bad words and what does not go together before any work.
 void check(const RenderOptions& o) {
   checkSkinOptions(o.skin, o.view.view, o.out);
+  refuseInputs(o.out, {o.files.volume, o.files.mask, o.files.erased, o.parameters.recipeFile()});
   const PictureOptions& picture = o.view.picture;
   const bool planar = isPlanar(o.view) || o.skin.bake != Bake::none;
   if (planar && (o.turntable > 0 || !picture.background || !picture.clip.empty()))

@@ -76,12 +76,14 @@ void tell(const SheetOptions& options, const std::vector<SheetAxis>& axes, const
 // Refuses, before any work, what cannot be done.
 std::vector<SheetAxis> check(const SheetOptions& options, const Parameters& parameters) {
   checkOutputFile(options.out, FileKind::picture);
+  const InputFiles& files = options.files;
+  refuseInputs(options.out, {files.volume, files.mask, files.erased, options.parameters.recipeFile()});
   checkSkinOptions(options.skin, options.view.view, options.out);
   checkViewOptions(options.view);
-  if (isMeshFile(options.files.volume))
-    throw Error(fmt::format("A contact sheet is made of a volume, and {} is a mesh; give the volume.",
-                            options.files.volume),
-                Error::Kind::usage);
+  if (isMeshFile(files.volume))
+    throw Error(
+        fmt::format("A contact sheet is made of a volume, and {} is a mesh; give the volume.", files.volume),
+        Error::Kind::usage);
   std::vector<SheetAxis> axes;
   for (const std::string& text : options.over) axes.push_back(sheetAxis(parameters, text));
   sheetLayout(axes, options.view.picture.size);

@@ -54,6 +54,26 @@ TEST(CliRefusals, NamesThatAreTooLong) {
   EXPECT_NE(run.err.find("cannot be made: File name too long"), std::string::npos) << run.err;
 }
 
+// Whatever its content: nothing is read of it before.
+TEST(CliRefusals, ResultsInThePlaceOfWhatIsRead) {
+  const TempFolder folder;
+  const std::string file = folder.write("scan.png", "a scan").string(),
+                    other = (folder / "." / "scan.png").string();
+  for (const Words& command : {Words{"render"}, Words{"sheet", "--over", "beta=1"}}) {
+    const auto refused = [&](const Words& more) {
+      Words words = command;
+      words.insert(words.end(), {"--out", other});
+      words.insert(words.end(), more.begin(), more.end());
+      expectRefused(words, "that is read; choose another name");
+    };
+    refused({file});
+    refused({"phantom", "--mask", file});
+    refused({"phantom", "--erase", file});
+    if (command.front() == "render") refused({"phantom", "--recipe", file});
+  }
+  EXPECT_EQ(fileText(folder / "scan.png"), "a scan");
+}
+
 // What is wrong with a recipe or a session is said with its file's name.
 TEST(CliRefusals, RecipesThatAreNone) {
   const TempFolder folder;
