@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "app/document/parameter_text.h"
 #include "app/widgets/fields_ui.h"
@@ -31,9 +33,27 @@ std::string symbolOf(const ParameterInfo& parameter) {
 }
 
 // The text of the value that a cell would have.
-std::string valueText(Parameters parameters, const std::string& name, const std::string& text) {
+std::string valueText(Parameters parameters, const std::string& name, const std::string& text,
+                      const std::string& over) try {
   setParameter(parameters, name, text);
   return findParameter(parameters, name).value;
+} catch (const Error& error) {
+  // It names the parameter as an option of its own, which nobody gave here.
+  const std::string option = fmt::format("--{} {} ", name, shownText(text)), why = error.what();
+  if (!why.starts_with(option)) throw;
+  throw Error(
+      fmt::format("--over {}: \"{}\" {}", shownText(over), shownText(text), why.substr(option.size())),
+      error.kind());
+}
+
+// Whether two texts are the same value: the same words, or numbers like 0 and -0.
+bool areSame(const std::string& a, const std::string& b) {
+  const auto number = [](const std::string& text) {
+    double value = std::nan("");
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return failure == std::errc() && end == text.data() + text.size() ? value : std::nan("");
+  };
+  return a == b || number(a) == number(b);
 }
 
 }  // namespace
@@ -53,9 +73,10 @@ SheetAxis sheetAxis(const Parameters& parameters, const std::string& text) {
       endWith("says which scan it is and how it is read; a sheet varies what is made of it.");
   SheetAxis axis{parameter.name, symbolOf(parameter), {}};
   for (const std::string& value : splitAtCommas(text.substr(equals + 1))) {
-    const std::string read = valueText(parameters, axis.parameter, value);
-    if (std::ranges::count(axis.values, read) > 0) endWith(fmt::format("has {} twice; name it once.", read));
-    if (read == parameter.value) axis.current = axis.values.size();
+    const std::string read = valueText(parameters, axis.parameter, value, text);
+    if (std::ranges::any_of(axis.values, [&](const auto& other) { return areSame(other, read); }))
+      endWith(fmt::format("has {} twice; name it once.", read));
+    if (areSame(read, parameter.value)) axis.current = axis.values.size();
     axis.values.push_back(read);
   }
   if (axis.values.size() > kMostValues)

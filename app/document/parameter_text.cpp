@@ -56,6 +56,11 @@ std::string kindOf(const std::array<int, 3>&) { return "NxNxN"; }
 std::string kindOf(const std::array<double, 3>&) { return "X,Y,Z"; }
 std::string kindOf(const Places&) { return "X,Y,Z;..."; }
 
+std::string kindInWords(const std::string& kind) {
+  if (kind == "NUMBER") return "a number";
+  return kind == "INTEGER" ? "a whole number" : kind;
+}
+
 // parse: the value of a text, or nothing where the text is not of the member's kind.
 template <class T>
 requires std::is_arithmetic_v<T> std::optional<T> parse(std::string_view text, T) {
@@ -126,8 +131,8 @@ void assign(std::string_view name, std::string_view text, T& member) {
   const auto value = parse(text, member);
   if (!value) {
     const std::string example = textOf(member) == "none" ? "12,-3.5,40;8,0,61" : textOf(member);
-    throw Error(fmt::format("--{} {} is not {}; give for example {}.", name, shownText(text), kindOf(member),
-                            example),
+    throw Error(fmt::format("--{} {} is not {}; give for example {}.", name, shownText(text),
+                            kindInWords(kindOf(member)), example),
                 Error::Kind::usage);
   }
   member = *value;

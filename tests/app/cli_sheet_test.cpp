@@ -112,13 +112,15 @@ TEST(SheetCommand, WhatCannotBeDoneIsOneSentence) {
   const struct {
     Words over;
     const char* says;
-  } kWrong[] = {{{"beta=0.5,9"}, "lies outside of 0 .. 4"},
+  } kWrong[] = {{{"beta=0.5,9"}, "--over beta=0.5,9: \"9\" lies outside of 0 .. 4"},
                 {{"beta="}, "names no values"},
                 {{"beta"}, "names no values"},
                 {{"nothing=1"}, "There is no parameter nothing"},
                 {{"method=1"}, "may be"},
                 {{"beta=1,1.0"}, "has 1 twice"},
-                {{"beta=1,x"}, "is not NUMBER"},
+                {{"beta=1,x"}, "--over beta=1,x: \"x\" is not a number; give"},
+                {{"beta=1,,2"}, "--over beta=1,,2: \"\" is not a number; give"},
+                {{"v_iso=0,-0"}, "twice; name it once"},
                 {{"region.cutLow=1"}, "several numbers"},
                 {{"scan.time=1,2"}, "how it is read"},
                 {{"beta=1,2", "classification.beta=3"}, "names classification.beta twice"},
