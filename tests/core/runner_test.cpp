@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -112,8 +113,12 @@ TEST(Runner, SlicesThatAreLookedAtComeBeforeThat) {
   runner.submit(r);
   const auto results = untilIdle(runner);
   ASSERT_GE(results.size(), 2u);
-  EXPECT_TRUE(results[0].slices[2]);
-  EXPECT_FALSE(results.back().slices[2]) << "the volume is there";
+  const auto slices = [](const Results& some) {
+    return std::ranges::count_if(some.slices, [](const auto& slice) { return slice != nullptr; });
+  };
+  EXPECT_GE(slices(results[0]), 1) << "one does not wait for the others";
+  EXPECT_FALSE(results[0].classified);
+  EXPECT_EQ(slices(results.back()), 0) << "the volume is there";
   EXPECT_TRUE(results.back().classified);
 }
 
